@@ -100,18 +100,34 @@ class Border {
     Box box_;
 };
 
+/// Those of each face, made when they are asked for.
+class Borders {
+  public:
+    explicit Borders(const Brep& brep) : brep_(brep), of_face_(brep.face_count()) {}
+
+    const std::vector<Border>& of(FaceId face) {
+        std::optional<std::vector<Border>>& borders = of_face_[face.index()];
+        if (borders) return *borders;
+        borders.emplace();
+        for (const FaceEdge& use : brep_.uses_in(face))
+            if (!use.is_internal && !use.is_external && !brep_.is_degenerated(use.edge) &&
+                !brep_.is_seam(use.edge, face))
+                borders->emplace_back(brep_, use);
+        return *borders;
+    }
+
+  private:
+    const Brep& brep_;
+    std::vector<std::optional<std::vector<Border>>> of_face_;
+};
+
 class NarrowFaceCover {
   public:
-    NarrowFaceCover(const Brep& brep, FaceId face, const SizingOptions& options, std::vector<SourceBall>& out)
-        : brep_(brep), face_(face), options_(options), out_(out) {}
+    NarrowFaceCover(const Brep& brep, FaceId face, const SizingOptions& options, Borders& all,
+                    std::vector<SourceBall>& out)
+        : brep_(brep), face_(face), options_(options), all_(all), borders_(all.of(face)), out_(out) {}
 
     void run() {
-        const auto& uses = brep_.uses_in(face_);
-        borders_.reserve(uses.size());
-        for (const FaceEdge& use : uses)
-            if (!use.is_internal && !use.is_external && !brep_.is_degenerated(use.edge) &&
-                !brep_.is_seam(use.edge, face_))
-                borders_.emplace_back(brep_, use);
         for (std::size_t i = 0; i < borders_.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
                 if (may_be_narrow(borders_[i], borders_[j]))
@@ -124,9 +140,10 @@ class NarrowFaceCover {
         if (have_common_end(a, b)) return false;
         return !a.is_line() || !b.is_line() || runs_against(a.place(a.at(0.5)), b.place(b.at(0.5)));
     }
-    bool have_common_end(const Border& a, const Border& b) const {
-        const auto [first, last] = brep_.ends_of(a.edge());
-        const auto [from, to] = brep_.ends_of(b.edge());
+    bool have_common_end(const Border& a, const Border& b) const { return have_common_end(a.edge(), b.edge()); }
+    bool have_common_end(EdgeId a, EdgeId b) const {
+        const auto [first, last] = brep_.ends_of(a);
+        const auto [from, to] = brep_.ends_of(b);
         return first == from || first == to || last == from || last == to;
     }
     static bool runs_against(const Border::Place& a, const Border::Place& b) {
@@ -191,7 +208,7 @@ class NarrowFaceCover {
         if (!other || !runs_against(at, *other)) return {};
         const double width = distance(at.point, other->point);
         if (width > widest * options_.size || width < narrowest * options_.size) return {};
-        if (!is_across(a, at, b, *other) || is_thin_wall(a, at, b, *other)) return {};
+        if (!is_across(a, at, b, *other) || is_wide_wall(a, at, b, *other)) return {};
         return width;
     }
 
@@ -202,10 +219,28 @@ class NarrowFaceCover {
                dot(cross(normal(face_, b.edge(), other.t), other.direction), to_other) < 0;
     }
 
-    /// Whether the faces beyond the two edges are those of one wall.
-    bool is_thin_wall(const Border& a, const Border::Place& at, const Border& b, const Border::Place& other) const {
+    /// Whether the faces beyond the two edges are those of one wall that goes on for more than a size: its tets are as
+    /// thin everywhere. A low rib is a strip.
+    bool is_wide_wall(const Border& a, const Border::Place& at, const Border& b, const Border::Place& other) const {
         const Vec3 n = outward_beyond(a.edge(), at.t), m = outward_beyond(b.edge(), other.t);
-        return dot(n, m) < -0.7 && dot(n, at.point - other.point) > 0;
+        return dot(n, m) < -0.7 && dot(n, at.point - other.point) > 0 && is_wide_beyond(a.edge(), at) &&
+               is_wide_beyond(b.edge(), other);
+    }
+
+    /// Whether no other border of the face beyond the edge runs beside it within a size.
+    bool is_wide_beyond(EdgeId edge, const Border::Place& at) const {
+        constexpr double least_parallel_cosine = 0.7;
+        for (const FaceId f : brep_.faces_of(edge))
+            for (const Border& border : all_.of(f)) {
+                if (f == face_ || border.edge() == edge || have_common_end(border.edge(), edge) ||
+                    !border.box().grown(options_.size).contains(at.point))
+                    continue;
+                const std::optional<Border::Place> across = border.opposite(at.point, options_.size);
+                if (across && distance(across->point, at.point) <= options_.size &&
+                    dot(across->direction, at.direction) > least_parallel_cosine)
+                    return false;
+            }
+        return true;
     }
 
     /// Out of the solid, on the face beyond the edge.
@@ -227,8 +262,9 @@ class NarrowFaceCover {
     const Brep& brep_;
     const FaceId face_;
     const SizingOptions& options_;
+    Borders& all_;
+    const std::vector<Border>& borders_;
     std::vector<SourceBall>& out_;
-    std::vector<Border> borders_;
 };
 
 class NarrowFaceProvider : public SizeProvider {
@@ -237,9 +273,10 @@ class NarrowFaceProvider : public SizeProvider {
 
     void cover(SizePlaces& out, const RunContext& context) const override {
         if (!options_.refines_narrow_faces) return;
+        Borders borders(brep_);
         for (std::size_t f = 0; f < brep_.face_count(); ++f) {
             context.check_cancelled();
-            NarrowFaceCover(brep_, FaceId(f), options_, out.balls).run();
+            NarrowFaceCover(brep_, FaceId(f), options_, borders, out.balls).run();
         }
     }
 

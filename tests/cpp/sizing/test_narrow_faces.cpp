@@ -36,6 +36,11 @@ TopoDS_Shape slotted(double width) {
     return BRepAlgoAPI_Cut(box({0, 0, 0}, {60, 40, 20}), box({0, 20, 10}, {60, 20 + width, 20})).Shape();
 }
 
+/// A block with a rib of 0.4 on its top.
+TopoDS_Shape ribbed(double height) {
+    return BRepAlgoAPI_Fuse(box({0, 0, 0}, {60, 40, 20}), box({0, 20, 20}, {60, 20.4, 20 + height})).Shape();
+}
+
 TopoDS_Shape cylinder(double x, double z, double radius, double height) {
     return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, 0, z), gp_Dir(0, 0, 1)), radius, height).Shape();
 }
@@ -61,7 +66,14 @@ TEST_CASE("faces wide enough, or far too narrow, ask for nothing") {
 
 TEST_CASE("the rim of a thin plate asks for nothing") {
     CHECK(sizing_of(box({0, 0, 0}, {60, 40, 0.4})).is_uniform());
-    CHECK(sizing_of(box({0, 0, 0}, {0.4, 0.4, 60})).is_uniform());
+    CHECK(sizing_of(ribbed(10)).is_uniform());
+}
+
+TEST_CASE("a low rib and a thin rod are refined by their width") {
+    const SizingField rib = sizing_of(ribbed(2));
+    for (const double x : {0.3, 30.0, 59.7}) CHECK(rib.at({x, 20.2, 22}) == Approx(1.6).epsilon(0.05));
+    CHECK(rib.at({30, 5, 10}) == size);
+    CHECK(sizing_of(box({0, 0, 0}, {0.4, 0.4, 60})).at({0.2, 0.2, 30}) == Approx(1.6).epsilon(0.05));
 }
 
 TEST_CASE("no piece along a narrow face is shorter than a quarter of the size") {

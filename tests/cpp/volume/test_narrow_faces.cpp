@@ -26,3 +26,8 @@ TEST_CASE("a ledge far narrower than the size has no needles") {
             BRepAlgoAPI_Fuse(box_part({0, 0, 0}, {60, 40, 20}), box_part({0, 0, 20}, {60, 40 - width, 10})).Shape(), 4,
             15);
 }
+
+TEST_CASE("a low rib far narrower than the size has no needles") {
+    check_angles(BRepAlgoAPI_Fuse(box_part({0, 0, 0}, {60, 40, 10}), box_part({0, 20, 10}, {60, 0.3, 1.2})).Shape(), 4,
+                 12);
+}
