@@ -159,7 +159,8 @@ void find_free(auto& data, bool takes_lower) {
         data.is_free_face.push_back(has_solids ? takes_lower && !is_of_solid_face[f] : !has_edges);
     for (std::size_t e = 0; e < data.edge.size(); ++e) {
         const auto& faces = data.faces_of_edge[e];
-        data.is_free_edge.push_back(has_edges ? faces.size() != 1 || !data.is_seam(EdgeId(e), faces[0])
+        const bool is_seam = faces.size() == 1 && data.is_seam(EdgeId(e), faces[0]);
+        data.is_free_edge.push_back(has_edges ? !is_seam && !data.is_degenerated[e]
                                               : takes_lower && faces.empty() && !is_of_solid_edge[e]);
     }
     BodyId next(data.solid.size());
@@ -264,6 +265,7 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
     }
     find_free(*data, dimension == Dimension::from_shape);
     data_ = std::move(data);
+    if (data_->dimension == Dimension::edges && !has_free_edges()) throw InputError(say<Code::no_edge>());
 }
 
 Dimension Brep::dimension() const { return data_->dimension; }

@@ -2,6 +2,9 @@
 // Parts of edges: meshed with segments, updated as locally as solids.
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GC_MakeArcOfCircle.hxx>
@@ -105,4 +108,18 @@ TEST_CASE("The edges of a solid are meshed, but no seams") {
     check_sound(*result.part_mesh);
     for (const auto& nodes : result.part_mesh->mesh.segments)
         CHECK(result.part_mesh->mesh.point(nodes[0]).z == Approx(result.part_mesh->mesh.point(nodes[1]).z));
+}
+
+TEST_CASE("The edges of a solid with poles are meshed without these, and a solid that has no others is refused") {
+    const int order = GENERATE(1, 2);
+    RunContext context;
+    MeshOptions options = options_of(2, order);
+    options.dimension = Dimension::edges;
+    const auto meshed = [&](const TopoDS_Shape& shape) { return mesh_part(document_of(shape), options, context); };
+    const PartMeshResult cone = meshed(BRepPrimAPI_MakeCone(5, 0, 10).Shape());
+    check_sound(*cone.part_mesh);
+    CHECK(!cone.part_mesh->mesh.segments.empty());
+    for (const Vec3& p : cone.part_mesh->mesh.points) CHECK(p.z == 0);
+    for (const TopoDS_Shape& shape : {BRepPrimAPI_MakeSphere(5).Shape(), BRepPrimAPI_MakeTorus(5, 2).Shape()})
+        CHECK_THROWS_WITH(meshed(shape), Catch::Matchers::Contains("no edge"));
 }
