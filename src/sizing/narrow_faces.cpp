@@ -230,16 +230,18 @@ class NarrowFaceCover {
     /// Whether no other border of the face beyond the edge runs beside it within a size.
     bool is_wide_beyond(EdgeId edge, const Border::Place& at) const {
         constexpr double least_parallel_cosine = 0.7;
-        for (const FaceId f : brep_.faces_of(edge))
+        const Box near = Box{at.point, at.point}.grown(options_.size);
+        for (const FaceId f : brep_.faces_of(edge)) {
+            if (f == face_) continue;
             for (const Border& border : all_.of(f)) {
-                if (f == face_ || border.edge() == edge || have_common_end(border.edge(), edge) ||
-                    !border.box().grown(options_.size).contains(at.point))
+                if (!border.box().overlaps(near) || border.edge() == edge || have_common_end(border.edge(), edge))
                     continue;
                 const std::optional<Border::Place> across = border.opposite(at.point, options_.size);
                 if (across && distance(across->point, at.point) <= options_.size &&
                     dot(across->direction, at.direction) > least_parallel_cosine)
                     return false;
             }
+        }
         return true;
     }
 
