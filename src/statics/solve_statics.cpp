@@ -26,6 +26,8 @@ constexpr int patience = 3, more_iterations = 10;
 constexpr double nearer = 0.95;
 /// A start whose error has less than this share of the energy norm of all says well enough what that is.
 constexpr double good_start = 0.1;
+/// Of the energy norm with displaced supports and all else at rest: the least that errors are measured by.
+constexpr double least_scale = 1e-5;
 /// A start that is best when scaled by this much was found under other loads; one that is best with less than this
 /// share of itself is of another problem.
 constexpr double other_loads = 0.01, other_problem = 0.1;
@@ -82,6 +84,13 @@ std::vector<std::int32_t> widened(std::vector<std::int32_t> nodes, const BlockMa
 }
 
 double norm(std::span<const double> values) { return std::sqrt(product(values, values)); }
+
+/// The energy norm of the displacements. Supports that are displaced with all else at rest have a far larger one, which
+/// is no scale for an error. Where they move the part as a whole, what they leave is nothing but rounding: then a share
+/// of that.
+double scale_of(std::span<const double> displacements, std::span<const double> resisting, double at_rest) {
+    return std::max(std::sqrt(std::max(0.0, product(displacements, resisting))), least_scale * at_rest);
+}
 
 const auto by_number = [](const auto& state, Number number) { return state.number < number; };
 
@@ -147,9 +156,11 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
     int spent = 0;  // iterations with the present preconditioner
     std::vector<double> residual = start.residual;
     bool is_of_elements = false;
+    const bool is_displaced = norm(model.given) > 0;
     for (int rounds_left = 4;;) {
         const double left = solver_->energy_norm(residual);
         if (whole == 0 || left > good_start * whole) whole = whole_energy_norm(unbalanced);
+        if (is_displaced && is_of_elements) whole = std::min(whole, scale_of(solution.displacements, resisting, whole));
         solution.residual = norm(residual) / norm(unbalanced);
         solution.energy_error = left / whole;
         solution.preconditioned_by = setup_.by;

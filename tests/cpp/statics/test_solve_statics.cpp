@@ -432,6 +432,42 @@ TEST_CASE("very flat 10-node tets are solved by a factor of their own matrix, wh
     CHECK(found.displacements == threaded.solve(later, with_threads).displacements);
 }
 
+TEST_CASE("supports that are displaced leave the same share of the energy open as loads do") {
+    NEEDS_SOLVER();
+    const int order = GENERATE(1, 2);
+    const double length = 300, bend = 1e-4;
+    const Mesh mesh = solved_box(order == 1 ? 12 : 6, order, {length, length, 4});
+    StaticsModel model = free_model(mesh, {210000, 0.3, 0});
+    std::vector<double> bent;
+    for (const Vec3& p : mesh.points) bent.insert(bent.end(), {-bend * p.x * p.z, 0, bend * p.x * p.x / 2});
+    RunContext context;
+    model.loads = resisting_forces(model, bent, tets_of_nodes(mesh), context);
+    double twice_energy = 0;
+    for (std::size_t i = 0; i < bent.size(); ++i) twice_energy += model.loads[i] * bent[i];
+    const auto is_end = [&](const Vec3& p) { return p.x == 0 || p.x == length; };
+    hold(model, is_end, [&](const Vec3& p) { return Vec3{-bend * p.x * p.z, 0, bend * p.x * p.x / 2}; });
+    const StaticsSolution found = solved(model);
+    CHECK(found.energy_error <= StaticsSolver::tolerance);
+    CHECK(found.strain_energy == Approx(twice_energy / 2).epsilon(1e-6));
+    std::vector<double> off = found.displacements;
+    for (std::size_t i = 0; i < off.size(); ++i) off[i] -= bent[i];
+    const std::vector<double> forces = resisting_forces(model, off, tets_of_nodes(mesh), context);
+    double twice_energy_off = 0;
+    for (std::size_t i = 0; i < off.size(); ++i) twice_energy_off += forces[i] * off[i];
+    CHECK(std::sqrt(twice_energy_off / twice_energy) < 10 * StaticsSolver::tolerance);  // an estimate ends iterations
+}
+
+TEST_CASE("supports that move the part as a whole are followed without a stress") {
+    NEEDS_SOLVER();
+    const Mesh mesh = solved_box(6, 1, {300, 300, 4});
+    StaticsModel model = free_model(mesh, {210000, 0.3, 0});
+    const auto is_end = [](const Vec3& p) { return p.x == 0 || p.x == 300; };
+    hold(model, is_end, [](const Vec3&) { return Vec3{0, 2, 0}; });
+    const StaticsSolution found = solved(model);
+    for (std::size_t i = 0; i < model.given.size(); ++i)
+        CHECK(std::abs(found.displacements[i] - (i % 3 == 1 ? 2 : 0)) < 1e-5);
+}
+
 TEST_CASE("a foil that rounding leaves no digits of ends with a sentence that names CalculiX, and spoils nothing") {
     NEEDS_SOLVER();
     const Mesh foil = solved_box(4, 2, {300, 300, 0.01}), mesh = solved_box(4, 2, {30, 10, 10});
