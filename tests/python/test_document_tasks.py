@@ -68,6 +68,16 @@ class Tasks(unittest.TestCase):
 
     # What works
 
+    def test_angles_that_the_part_forces_are_told_from_others(self):
+        points = [FreeCAD.Vector(*point) for point in ((0, 0, 0), (10, 0, 0), (10, 0.8, 0), (10, 0.4, 10))]
+        flat = Part.Solid(Part.Shell([Part.Face(Part.makePolygon([points[i] for i in corners])) for corners in ((0, 1, 2, 0), (0, 1, 3, 0), (1, 2, 3, 1), (0, 2, 3, 0))]))
+        wedge = Part.Face(Part.makePolygon([FreeCAD.Vector(*point) for point in ((0, 0), (20, 0), (20, 1), (0, 0))])).extrude(FreeCAD.Vector(0, 0, 10))
+        for shape, size, words in ((flat, 9, "the part's own details force such angles everywhere"), (wedge, 4, "[2-9][0-9]?[.][0-9] deg where the part")):
+            document = new_document()
+            document.addObject("Part::Feature", "Part").Shape = shape
+            documents.save_document(document, self.path("sharp.FCStd"))
+            self.assertRegex(self.done(command="mesh", part=self.path("sharp.FCStd"), size=size, order=1)["message"], "smallest angle [0-9.]+ deg, " + words)
+
     def test_the_parts_of_a_container_are_meshed_and_updated(self):
         document = new_document()
         container = document.addObject("App::Part", "Machine")

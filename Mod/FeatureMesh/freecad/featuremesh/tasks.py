@@ -241,7 +241,11 @@ def _progress(step, share):
 
 def _size_in_words(report):
     quality = report["quality"]
-    forced = "" if not quality["forced_by_cad"] else ", %.1f deg where the part's own details do not force less" % quality["min_dihedral_unforced"]
+    forced = ""
+    if quality["forced_by_cad"] == element_count(report):
+        forced = ", the part's own details force such angles everywhere"
+    elif quality["forced_by_cad"]:
+        forced = ", %.1f deg where the part's own details do not force less" % quality["min_dihedral_unforced"]
     return "%d nodes and %d elements (smallest angle %.1f deg%s) in %.2f s, %.2f s of it meshing" % (
         report["nodes"], element_count(report), quality["min_dihedral"], forced, report["seconds"]["total"], report["seconds"]["engine_total"])
 
