@@ -160,15 +160,17 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
     for (int rounds_left = 4;;) {
         const double left = solver_->energy_norm(residual);
         if (whole == 0 || left > good_start * whole) whole = whole_energy_norm(unbalanced);
-        if (is_displaced && is_of_elements) whole = std::min(whole, scale_of(solution.displacements, resisting, whole));
+        const double scale = is_displaced && is_of_elements
+                                 ? std::min(whole, scale_of(solution.displacements, resisting, whole))
+                                 : whole;
         solution.residual = norm(residual) / norm(unbalanced);
-        solution.energy_error = left / whole;
+        solution.energy_error = left / scale;
         solution.preconditioned_by = setup_.by;
         if (solution.energy_error <= tolerance && is_of_elements) return;
         const int most = by == carried      ? patience * setup_.iterations + more_iterations
                          : by == aggregated ? (model.mesh.order == 1 ? slow_linear : slow_quadratic)
                                             : most_iterations;
-        const LinearSolver::Aim aim{nearer * tolerance * whole, most, by != linear_factor};
+        const LinearSolver::Aim aim{nearer * tolerance * scale, most, by != linear_factor};
         const auto [done, is_within] = rounds_left-- > 0
                                            ? move_by(model, residual, aim, solution.displacements, context)
                                            : LinearSolver::Solved{0, false};

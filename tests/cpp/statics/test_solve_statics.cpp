@@ -466,6 +466,7 @@ TEST_CASE("supports that move the part as a whole are followed without a stress"
     const StaticsSolution found = solved(model);
     for (std::size_t i = 0; i < model.given.size(); ++i)
         CHECK(std::abs(found.displacements[i] - (i % 3 == 1 ? 2 : 0)) < 1e-5);
+    CHECK(found.iterations < 150);  // rounding is not hunted for
 }
 
 TEST_CASE("a foil that rounding leaves no digits of ends with a sentence that names CalculiX, and spoils nothing") {
