@@ -105,6 +105,7 @@ struct SurfaceData {
     std::unique_ptr<BRepTopAdaptor_FClass2d> trim;
     std::unique_ptr<WireTrim> wires;
     Handle(ShapeAnalysis_Surface) global;
+    std::unique_ptr<Extrema_ExtPS> nearest_points;  ///< with the grid of its surface, which takes longer than a search
 };
 
 double shifted_near(double x, double period, double wanted) {
@@ -205,9 +206,14 @@ OnFace global_nearest(SurfaceData& s, const Vec3& p) {
     Uv best{start.X(), start.Y()};
     if (const auto polished = newton(s, p, best)) best = *polished;
     OnFace result = at(s, in_period(s, best, {}), p);
-    const auto& b = s.trim_box();
     if (result.distance < 1e-6) return result;
-    Extrema_ExtPS extrema(to_pnt(p), s.adaptor, b.u_min, b.u_max, b.v_min, b.v_max, 1e-10, 1e-10);
+    if (!s.nearest_points) {
+        const UvBox& b = s.trim_box();
+        s.nearest_points = std::make_unique<Extrema_ExtPS>();
+        s.nearest_points->Initialize(s.adaptor, b.u_min, b.u_max, b.v_min, b.v_max, 1e-10, 1e-10);
+    }
+    Extrema_ExtPS& extrema = *s.nearest_points;
+    extrema.Perform(to_pnt(p));
     if (extrema.IsDone())
         for (int i = 1; i <= extrema.NbExt(); ++i) {
             Uv uv;
