@@ -149,21 +149,22 @@ CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::s
 
 CavityFill grow_fill(const Cavity& cavity, std::span<const NodeId> old_nodes, const CavityFill& old,
                      RunContext& context) {
-    std::vector<int> new_place;  // by point of the old fill
+    std::vector<int> new_place(old.points.size(), -1);  // by point of the old fill
     std::vector<Vec3> points = cavity.points, added;
     std::vector<int> place_of_added;
     for (std::size_t n = 0; n < cavity.nodes.size(); ++n) {
-        const bool is_old = new_place.size() < old_nodes.size() && old_nodes[new_place.size()] == cavity.nodes[n];
-        if (is_old) {
-            new_place.push_back(static_cast<int>(n));
+        const auto known = std::lower_bound(old_nodes.begin(), old_nodes.end(), cavity.nodes[n]);
+        if (known != old_nodes.end() && *known == cavity.nodes[n]) {
+            new_place[static_cast<std::size_t>(known - old_nodes.begin())] = static_cast<int>(n);
         } else {
             place_of_added.push_back(static_cast<int>(n));
             added.push_back(cavity.points[n]);
         }
     }
-    for (std::size_t s = old_nodes.size(); s < old.points.size(); ++s) {
-        new_place.push_back(static_cast<int>(points.size()));
-        points.push_back(old.points[s]);
+    for (std::size_t p = 0; p < old.points.size(); ++p) {
+        if (new_place[p] >= 0) continue;
+        new_place[p] = static_cast<int>(points.size());
+        points.push_back(old.points[p]);
     }
     if (!added.empty()) old.delaunay->insert(added, context);
     std::vector<int> point_of;

@@ -36,7 +36,8 @@ struct CavityFill {
 CavityFill fill_cavity(const Cavity& cavity, std::span<const Ball> balls, std::span<const Vec3> active,
                        const WantedSize& size, RunContext& context);
 
-/// The same for a cavity that has grown by a few nodes since: they are added to its triangulation, seeds stay.
+/// The same for a cavity that has grown by a few nodes since: they are added to its triangulation. Seeds stay, and
+/// nodes that are inside it now are seeds.
 CavityFill grow_fill(const Cavity& cavity, std::span<const NodeId> old_nodes, const CavityFill& old,
                      RunContext& context);
 

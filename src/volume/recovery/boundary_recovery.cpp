@@ -2,6 +2,7 @@
 #include "volume/recovery/boundary_recovery.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/errors.h"
@@ -108,8 +109,7 @@ void BoundaryRecovery::fill(std::size_t i) {
         if (known.is_best || (fills[i].is_complete() && !has_inverted_tet(fills[i]))) return;
     }
     for (KnownFill& old : outgrown_)
-        if (cavity.nodes.size() <= old.nodes.size() + old.fill.places.missing.size() &&
-            std::includes(cavity.nodes.begin(), cavity.nodes.end(), old.nodes.begin(), old.nodes.end())) {
+        if (has_grown_from(old, i)) {
             fills[i] = grow_fill(cavity, old.nodes, old.fill, context_);
             return;
         }
@@ -119,6 +119,20 @@ void BoundaryRecovery::fill(std::size_t i) {
         require_distinct(brep_, mesh_, cavity);  // says it better
         throw;
     }
+}
+
+/// Whether the cavity has grown by few nodes since. Nodes whose kept tets are all released are inside it now.
+bool BoundaryRecovery::has_grown_from(const KnownFill& old, std::size_t i) const {
+    const std::vector<NodeId>& nodes = cavities[i].nodes;
+    std::vector<NodeId> inside;
+    std::set_difference(old.nodes.begin(), old.nodes.end(), nodes.begin(), nodes.end(), std::back_inserter(inside));
+    const std::size_t most = old.fill.places.missing.size();
+    return nodes.size() + inside.size() <= old.nodes.size() + most && inside.size() <= most &&
+           std::none_of(inside.begin(), inside.end(), [&](NodeId n) {
+               return std::any_of(cavities.begin(), cavities.end(), [&](const Cavity& other) {
+                   return std::binary_search(other.nodes.begin(), other.nodes.end(), n);
+               });
+           });
 }
 
 /// Some missing triangles come back by turning diagonals of the surface. If seeds alone stand in the way of all others,

@@ -79,6 +79,7 @@ class BoundaryRecovery {
 
     bool fill_all(int round);
     void fill(std::size_t i);
+    bool has_grown_from(const KnownFill& old, std::size_t i) const;
     void drop_seeds(std::size_t i, int round);
     void turn_missing(std::size_t i, int round);
     bool flip_flat_tets();

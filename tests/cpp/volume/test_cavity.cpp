@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -8,6 +10,7 @@
 #include "catch.h"
 #include "mesh/tets_at_nodes.h"
 #include "volume/cavity.h"
+#include "volume/fill_cavity.h"
 
 using namespace featuremesh;
 
@@ -55,6 +58,20 @@ double volume_between(const Cavity& cavity) {
     return volume;
 }
 
+NodeId node_nearest(const Mesh& mesh, const Vec3& place) {
+    NodeId nearest(std::size_t{0});
+    for (std::size_t n = 0; n < mesh.node_count(); ++n)
+        if (squared_length(mesh.point(NodeId(n)) - place) < squared_length(mesh.point(nearest) - place))
+            nearest = NodeId(n);
+    return nearest;
+}
+
+std::vector<char> marked(const Mesh& mesh, std::initializer_list<NodeId> nodes) {
+    std::vector<char> marks(mesh.node_count(), 0);
+    for (const NodeId n : nodes) marks[n.index()] = 1;
+    return marks;
+}
+
 double volume_of(const Mesh& mesh, const std::vector<std::uint8_t>& marked) {
     double volume = 0;
     for (std::size_t t = 0; t < mesh.tets.size(); ++t)
@@ -96,6 +113,32 @@ TEST_CASE("the cavity is what brute force finds, and encloses what was released"
         CHECK(cavity.triangle_of_facet[i].is_valid() != cavity.tet_of_facet[i].is_valid());
         if (cavity.tet_of_facet[i].is_valid()) CHECK_FALSE(is_released[cavity.tet_of_facet[i].index()]);
     }
+}
+
+TEST_CASE("a node that a grown cavity encloses is a seed of its fill, with the triangulation from before") {
+    const Mesh mesh = box_mesh(6);
+    const NodeId enclosed = node_nearest(mesh, {1.0 / 3, 1.0 / 3, 1.0 / 3});
+    std::vector<std::uint8_t> is_released(mesh.tets.size(), 0);
+    is_released[tets_at_nodes(mesh, marked(mesh, {enclosed})).front().index()] = 1;
+    const Cavity before = find_cavity(mesh, outer_faces, is_released);
+    for (const TetId t : tets_at_nodes(mesh, marked(mesh, {enclosed}))) is_released[t.index()] = 1;
+    const Cavity cavity = find_cavity(mesh, outer_faces, is_released);
+    REQUIRE(std::binary_search(before.nodes.begin(), before.nodes.end(), enclosed));
+    REQUIRE_FALSE(std::binary_search(cavity.nodes.begin(), cavity.nodes.end(), enclosed));
+
+    RunContext context;
+    CavityFill old;
+    old.points = before.points;
+    old.delaunay = std::make_shared<GrowingDelaunay>();
+    old.delaunay->insert(old.points, context);
+    old.point_of.resize(old.points.size());
+    std::iota(old.point_of.begin(), old.point_of.end(), 0);
+    const CavityFill grown = grow_fill(cavity, before.nodes, old, context);
+    REQUIRE(grown.points.size() == cavity.points.size() + 1);
+    CHECK(std::equal(cavity.points.begin(), cavity.points.end(), grown.points.begin()));
+    CHECK(grown.points.back() == mesh.point(enclosed));
+    for (const auto& [a, b, c, d] : grown.triangulation.tets)
+        CHECK(signed_volume(grown.points[a], grown.points[b], grown.points[c], grown.points[d]) >= 0);
 }
 
 TEST_CASE("a full mesh has no cavity") { CHECK(find_cavity(box_mesh(4), outer_faces).facets.empty()); }
