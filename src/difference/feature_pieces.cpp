@@ -2,6 +2,7 @@
 #include "difference/feature_pieces.h"
 
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <algorithm>
 #include <optional>
 
@@ -103,6 +104,16 @@ double radius_of(const FeaturePiece& piece) {
     return radius;
 }
 
+/// Whether all cylinders of a piece go round it, as those of a hole do; that of a fillet is hollow.
+bool is_round(const FeaturePiece& piece) {
+    for (TopExp_Explorer it(piece.shape, TopAbs_FACE); it.More(); it.Next()) {
+        const UnderlyingSurface face = underlying_of(TopoDS::Face(it.Current()));
+        const bool outward = (it.Current().Orientation() == TopAbs_FORWARD) == face.position.Direct();
+        if (face.kind == SurfaceKind::cylinder && !outward) return false;
+    }
+    return true;
+}
+
 class PieceWords {
   public:
     PieceWords(const PieceMatch& match, const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
@@ -144,7 +155,7 @@ class PieceWords {
     std::string noun(std::size_t count) const {
         const auto& pieces = was_.empty() ? is_ : was_;
         const bool holes = std::all_of(pieces.begin(), pieces.end(), [](const FeaturePiece& piece) {
-            return piece.effect == Effect::removes && radius_of(piece) > 0;
+            return piece.effect == Effect::removes && radius_of(piece) > 0 && is_round(piece);
         });
         return std::string(holes ? "hole" : "piece") + (count == 1 ? "" : "s");
     }

@@ -357,6 +357,21 @@ TEST_CASE("of several holes of one sketch those that moved, grew, came and went 
           "-> 4 mm); 1 hole added at x 55, y 10; 1 of 4 holes removed at x 90, y 10");
 }
 
+TEST_CASE("what a fillet takes off is no hole") {
+    const auto rounding = [](double x, double radius) {
+        const Vec3 axis{x < 50 ? x + radius : x - radius, radius, 0};
+        const Vec3 corner{x < 50 ? x : x - radius, 0, 0};
+        return evaluate({{"Edge", Effect::adds, {box(corner, {radius, radius, 10})}, {}},
+                         {"Round", Effect::removes, {cylinder(axis - Vec3{0, 0, 1}, {0, 0, 1}, radius, 12)}, {}}});
+    };
+    const auto plate = [&](double radius) {
+        return part({{"Plate", Effect::adds, {box({0, 0, 0}, {100, 20, 10})}, {}},
+                     {"Fillet", Effect::removes, {together({rounding(0, radius), rounding(100, radius)})}, {}}});
+    };
+    CHECK(change_of(diff(plate(4), plate(5)), "Fillet").detail.in_english() ==
+          "2 of 2 pieces reshaped at x 2.5, y 2.5 (radius 4 -> 5 mm), at x 97.5, y 2.5 (radius 4 -> 5 mm)");
+}
+
 TEST_CASE("a mirrored instance moves with its original, and is no moved original itself") {
     const TopoDS_Shape corner =
         evaluate({{"A", Effect::adds, {box({10, 2, 10}, {8, 3, 2})}, {}},
