@@ -234,14 +234,13 @@ SecondOrder result_of(Curved curved, const KeptCounts& kept) {
 }  // namespace
 
 SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
-    constexpr int most_refinements = 12, most_without_gain = 1;
+    constexpr int most_refinements = 12;
     RunContext::Step step(context, "surface");
     const Projector projector(brep);
     const KeptCounts counts = kept_counts(mesh, kept);
     std::optional<Curved> best;
     SecondOrder failed;
     std::size_t fewest_folded = std::numeric_limits<std::size_t>::max();
-    int last_gain = 0;
     for (int refinement = 0;; ++refinement) {
         Curved curved = curve(brep, projector, mesh, kept, context);
         if (refinement == 0)
@@ -261,10 +260,10 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
         if (refinement == 0 && !curved.folded.empty())
             failed = {{}, shorter_lengths(curved.mesh, trouble), place, 0, std::move(failed.straight)};
         const bool gains = curved.folded.size() < fewest_folded || (best && curved.smallest > best->smallest);
-        if (gains) last_gain = refinement, fewest_folded = curved.folded.size();
-        // refining that makes more trouble than it ends would go on for ever; what folds elements that were valid does
-        const bool is_hopeless = refinement == most_refinements || curved.folded.size() > fewest_folded ||
-                                 refinement > last_gain + (best ? 0 : most_without_gain);
+        // refining that makes about as much trouble as it ends would go on for long
+        const bool halves = refinement == 0 || 2 * curved.folded.size() <= fewest_folded;
+        if (gains) fewest_folded = curved.folded.size();
+        const bool is_hopeless = refinement == most_refinements || !halves || (best && !gains);
         const bool is_split =
             !is_hopeless && split_folded_tets(mesh, curved.mesh, trouble, counts, brep.tolerances().least_volume()) > 0;
         if (gains && curved.folded.empty()) best = std::move(curved);
