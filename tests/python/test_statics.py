@@ -341,6 +341,10 @@ class InTheDocument(Case):
         material.Material = dict(STEEL, YoungsModulus="210000 Pa")
         with self.assertRaisesRegex(UserError, "check its unit"):
             statics.solve(analysis)
+        for values in ({}, {"Name": "None", "YoungsModulus": "210000 MPa"}, dict(STEEL, YoungsModulus="much")):   # OK in FEM's panel without a card gives the first
+            material.Material = values
+            with self.assertRaisesRegex(UserError, "Steel has no Young's modulus or no Poisson's ratio that is a number: choose a card, or type both, in its panel$"):
+                statics.solve(analysis)
         material.Material = dict(STEEL, PoissonRatio="0.499")
         with self.assertRaisesRegex(statics.NotUnderstood, "nearly incompressible"):
             statics.solve(analysis)

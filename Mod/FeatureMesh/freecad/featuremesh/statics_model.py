@@ -141,8 +141,8 @@ class _Reader:
             young = float(FreeCAD.Units.Quantity(values["YoungsModulus"]).getValueAs("MPa").Value)
             poisson = float(values["PoissonRatio"])
         except (KeyError, ValueError, ArithmeticError) as error:
-            raise UserError(said("the material {material:text} has no readable Young's modulus or Poisson's ratio ({why:text})",
-                                 material=describe(material), why=str(error))) from error
+            raise UserError(said("the material {material:text} has no Young's modulus or no Poisson's ratio that is a number: choose a card, or type both, in its panel",
+                                 material=describe(material))) from error
         if young < _LOWEST_MODULUS:
             raise UserError(said("Young's modulus of the material {material:text} is {young:number} MPa: check its unit",
                                  material=describe(material), young=young))

@@ -1153,6 +1153,10 @@
       <translation>die Masse eines Balkens mit dem Querschnitt {section:text} von {member:text} ist nicht bekannt</translation>
     </message>
     <message>
+      <source>the material {material:text} has no Young's modulus or no Poisson's ratio that is a number: choose a card, or type both, in its panel</source>
+      <translation>der Werkstoff {material:text} hat keinen Elastizitätsmodul oder keine Querkontraktionszahl, die eine Zahl ist: in seinem Fenster eine Werkstoffkarte wählen oder beide eintippen</translation>
+    </message>
+    <message>
       <source>the material {material:text} has no density; give it one</source>
       <translation>der Werkstoff {material:text} hat keine Dichte; ihm eine geben</translation>
     </message>
@@ -3507,10 +3511,6 @@
     <message>
       <source>the live solver needs PETSc: install Debian's package libpetsc-real-dev, then any command of ./featuremesh in a clone builds the solver with it</source>
       <translation>der mitlaufende Löser braucht PETSc: Debians Paket libpetsc-real-dev installieren, dann baut jeder Befehl von ./featuremesh in einem Klon den Löser damit</translation>
-    </message>
-    <message>
-      <source>the material {material:text} has no readable Young's modulus or Poisson's ratio ({why:text})</source>
-      <translation>der Werkstoff {material:text} hat keinen lesbaren Elastizitätsmodul oder keine lesbare Querkontraktionszahl ({why:text})</translation>
     </message>
     <message>
       <source>the material {material:text} is nearly incompressible (Poisson's ratio {poisson:number}), for which these elements are too stiff</source>
