@@ -273,6 +273,24 @@ class SolveGuard(unittest.TestCase):
         self.document.undo()
         self.assertEqual([results.is_old(one) for one in (result, newer)], [False, True])
 
+    def test_results_are_not_marked_where_nodes_and_elements_stay(self):
+        result = self.add_result()
+        self.document.openTransaction("Group")
+        group = ObjectsFem.makeMeshGroup(self.document, self.mesh)
+        group.References = [(self.part, "Face3")]
+        self.document.recompute()
+        self.document.commitTransaction()
+        self.assertFalse(results.is_old(result))
+        self.mesh.touch()
+        self.document.recompute()
+        self.assertFalse(results.is_old(result))
+        self.edit(50)
+        self.assertTrue(results.is_old(result))
+        self.document.undo()
+        self.assertFalse(results.is_old(result))
+        self.document.undo()
+        self.assertFalse(results.is_old(result))
+
     def test_results_say_when_a_load_a_material_or_a_support_was_changed_since(self):
         result = self.add_result()
         force, material = self.document.getObject("Force"), self.document.getObject("Steel")

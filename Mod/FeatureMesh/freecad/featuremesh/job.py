@@ -3,9 +3,13 @@
 
 import time
 
+import numpy as np
+
 from . import engine, log
 from .messages import english, of_error, with_owners
 from .worker import WorkerDied
+
+_ELEMENTS = "tets", "tet_mids", "triangles", "triangle_mids", "segments"
 
 
 class MeshJob:
@@ -35,6 +39,12 @@ class MeshJob:
         self.part_mesh, self.report = run_engine(self._mesh, self.raw, self.options, progress)
         self.seconds["engine"] = time.perf_counter() - start
         log.write("%s %s in %.1f s", "meshed" if self.old is None else "updated", self.raw["final_object"], self.seconds["engine"])
+
+    def kept_all(self, arrays):
+        """Are the nodes and elements, of which these are the arrays, those of the old mesh, as when a group was added?"""
+        if self.old is None:
+            return False
+        return all(map(np.array_equal, _nodes_and_elements(self.old.arrays()), _nodes_and_elements(arrays)))
 
     def _mesh(self, progress):
         if self.old is None:
@@ -68,3 +78,14 @@ def _owners_in(raw, options, names):
         return engine.load().labels_of_owners(raw, options, names)
     except engine.load().Error:   # it was refused before anything of it was known
         return [[] for _ in names]
+
+
+def _nodes_and_elements(arrays):
+    """Those of a mesh by the nodes' numbers, for an update puts nodes into another order."""
+    numbers = arrays["node_numbers"]
+    rows = np.argsort(numbers)
+    yield numbers[rows]
+    yield arrays["points"][rows]
+    yield arrays["tet_numbers"]
+    for name in _ELEMENTS:
+        yield numbers[arrays[name]]

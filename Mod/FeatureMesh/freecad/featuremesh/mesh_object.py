@@ -482,7 +482,7 @@ class FeatureMesh:
                 for name, known in record.items()}
 
     def _store(self, mesh, job):
-        saved = state.State(job.raw, job.options, job.part_mesh.arrays())
+        saved, before = state.State(job.raw, job.options, job.part_mesh.arrays()), state.checksum_of(mesh.SavedState)
         try:
             checksum = state_property.put(mesh, saved)
             if state.checksum_of(mesh.SavedState) != checksum:
@@ -491,6 +491,8 @@ class FeatureMesh:
             self.note_references(mesh, self._referring(mesh), job.raw)   # they are where the part is, the mesh is not
             raise UserError(said("the new mesh's state cannot be stored ({why:messages}), the old mesh stays; is the disk full?",
                                  why=messages.of_error(error))) from error
+        if job.kept_all(saved.arrays):
+            results.mesh_is_as_before(mesh, before, checksum)
         self._checksum = self._shown = checksum
         self._part_mesh, self._raw = job.part_mesh, job.raw
 

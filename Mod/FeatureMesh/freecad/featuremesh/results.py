@@ -56,6 +56,22 @@ def mark(mesh):
         _mark_all(analysis)
 
 
+def mesh_is_as_before(mesh, before, now):
+    """To be called when a mesh with the same nodes and elements has another state: what was solved on it is solved on that."""
+    for analysis in analyses.holding(mesh):
+        key = analysis.Document.Name, analysis.Name
+        if key in _states:
+            _states[key] = _on(_states[key], before, now)
+        for result in analysis.Group:
+            if is_result(result) and SOLVED_ON in result.PropertiesList:
+                setattr(result, SOLVED_ON, _on(getattr(result, SOLVED_ON), before, now))
+        _mark_all(analysis)
+
+
+def _on(state, before, now):
+    return now + state[len(before):] if state.split(_BESIDE)[0] == before else state
+
+
 def member_changed(obj, name):
     """To be called when a property of an object has another value: that may be a load of results."""
     if name not in _DRAWN and _is_solved_with(obj):
