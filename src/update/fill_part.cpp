@@ -245,7 +245,10 @@ class SizeLoop {
             Attempt attempt = try_once();
             if (attempt.filled) offer(attempt);
             if (attempt.stand_in) offer_stand_in(attempt);
-            if (is_good_enough(attempt) || !may_go_on() || !change_something(attempt)) return outcome(attempt);
+            if (is_good_enough(attempt) || !may_go_on() || !change_something(attempt)) {
+                mend_small_angles();
+                return outcome(attempt);
+            }
         }
     }
 
@@ -278,7 +281,10 @@ class SizeLoop {
     /// Of the fillings whose 10-node tetrahedra are valid the better one counts.
     void offer(Attempt& attempt) {
         ++valid_;
-        if (best_ && attempt.smallest_jacobian <= best_jacobian_) return;
+        if (!best_ || attempt.smallest_jacobian > best_jacobian_) take(attempt);
+    }
+
+    void take(Attempt& attempt) {
         best_ = std::move(attempt.filled);
         best_jacobian_ = attempt.smallest_jacobian;
         for (const std::vector<Entity>& place : places_)
@@ -288,6 +294,29 @@ class SizeLoop {
             best_->surface.warnings.push_back(has_tets ? say<Code::finer_for_curved_tets>(place)
                                                        : say<Code::finer_for_curved_triangles>(place));
         if (!why_plain_.empty()) best_->surface.warnings.push_back(say<Code::narrow_faces_plain>(why_plain_));
+    }
+
+    /// Shorter edges at small angles of a mesh from scratch, where few ask for them. A filling counts if it has better
+    /// angles and hardly more tets.
+    void mend_small_angles() {
+        constexpr double most_tets_more = 1.1, least_jacobian = 0.2;
+        constexpr int most_angle_rounds = 2;
+        if (!best_ || keeps_ || brep_.dimension() != Dimension::solids) return;
+        const double most_tets = most_tets_more * double(best_->mesh.tets.size());
+        SmallAngles best = small_angles(best_->mesh), last = best;
+        for (int round = 0; round < most_angle_rounds && rounds_.size() < most_rounds; ++round) {
+            if (last.request.is_empty()) return;
+            Attempt attempt;
+            attempt.request = std::move(last.request);
+            ask_for_shorter(attempt);
+            attempt = try_once();
+            if (!attempt.filled || double(attempt.filled->mesh.tets.size()) > most_tets) return;
+            last = small_angles(attempt.filled->mesh);
+            if (!last.is_better_than(best) || attempt.smallest_jacobian < std::min(best_jacobian_, least_jacobian))
+                continue;
+            best = {last.smallest, last.count, {}};
+            take(attempt);
+        }
     }
 
     /// The first filling counts, as it has the lengths that were asked for. Rounds that do not halve the straight sides
@@ -336,19 +365,28 @@ class SizeLoop {
         const bool is_folded = request.reason == SizeReason::folded;
         if (request.is_empty() || (keeps_ && !is_folded)) return false;
         if (request.reason == SizeReason::thin && !may_help_thin()) return false;
+        const bool is_small = request.reason == SizeReason::small_angles;
         first_of_last_ = shorter_.size();
-        for (const SizeSource& source : request.lengths) shorter_.push_back(shorter_than_asked(field_, source));
-        (is_folded ? folded_places_ : places_).insert(request.place);
+        for (const SizeSource& source : request.lengths)
+            shorter_.push_back(is_small ? a_little_shorter(source) : shorter_than_asked(field_, source));
+        if (!is_small) (is_folded ? folded_places_ : places_).insert(request.place);
         // what is best for straight tets may leave curved ones no room
         if (is_folded) options_.volume.moves_surface_nodes = !best_;
         note(attempt,
              is_folded                                ? "folded"
              : request.reason == SizeReason::boundary ? "boundary"
              : request.reason == SizeReason::thin     ? "thin elements"
+             : is_small                               ? "small angles"
                                                       : "cannot follow",
              request.place, "shorter edges there");
         make_field();
         return true;
+    }
+
+    /// Another field than before, but with few tets more.
+    SizeSource a_little_shorter(SizeSource source) const {
+        source.size = std::min(source.size, 0.8 * field_.at(source.point));
+        return source;
     }
 
     /// May shorter edges mend thin elements? Two rounds show it. Where small details may be ignored, ignoring them is

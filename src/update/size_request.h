@@ -18,7 +18,8 @@ enum class SizeReason {
     cannot_follow,  ///< elements are too long to follow the part
     boundary,       ///< tets cannot be made to meet the triangles there
     thin,           ///< a few tets without a volume to speak of remain
-    folded          ///< 10-node tets would be folded, or nearly so
+    folded,         ///< 10-node tets would be folded, or nearly so
+    small_angles    ///< below 10 degrees, and the shape does not force them
 };
 
 /// What found a place that needs other lengths asks for. Without lengths, nothing.
@@ -31,8 +32,8 @@ struct SizeRequest {
 
 /// Why all that is not kept was filled again, and with what.
 struct Round {
-    std::string reason;  ///< a word or two: narrow faces, cannot follow, boundary, thin elements, folded, details,
-                         ///< kept elements
+    std::string reason;         ///< a word or two: narrow faces, cannot follow, boundary, thin elements, folded, small
+                                ///< angles, details, kept elements
     std::vector<Entity> place;  ///< faces, or a solid; may be empty
     std::string change;         ///< what was done about it
     Message refusal;            ///< why there was no mesh; empty where one was only to get better
@@ -40,6 +41,17 @@ struct Round {
 
 /// A filling is repeated so often at most, whatever the reasons, and so often in a row without a gain.
 constexpr std::size_t most_rounds = 6, most_rounds_that_keep = 3, most_rounds_in_vain = 2;
+
+/// The tets with an angle below 10 degrees that the shape does not force.
+struct SmallAngles {
+    double smallest = 10;  ///< degrees
+    std::size_t count = 0;
+    SizeRequest request = {};  ///< for lengths that fit their heights; none where more than one tet in 200 has one
+    bool is_better_than(const SmallAngles& other) const {
+        return smallest >= other.smallest && count <= other.count && (smallest > other.smallest || count < other.count);
+    }
+};
+SmallAngles small_angles(const Mesh& mesh);
 
 /// For triangles that lie the wrong way round on their faces; at least one.
 SizeRequest for_turned_triangles(const Mesh& mesh, const std::vector<TriangleId>& turned);

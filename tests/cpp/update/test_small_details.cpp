@@ -263,3 +263,19 @@ TEST_CASE(
         CHECK_THROWS_AS(meshed(stepped_block(3, 45), options), InputError);
     }
 }
+
+TEST_CASE("small angles that the shape does not force get shorter edges, and an update keeps them") {
+    const RawDocument ribbed = PartDocument()
+                                   .box("Block", {0, 0, 0}, {60, 40, 40})
+                                   .box("Rib", {0, 20, 40}, {20, 0.35, 4})
+                                   .fuse("Part", "Block", "Rib")
+                                   .finish();
+    const MeshOptions options = options_of(4);
+    const PartMeshResult result = meshed(ribbed, options);
+    check_valid(*result.part_mesh);
+    CHECK(result.report.quality.min_dihedral_unforced > 10);
+    REQUIRE(result.report.rounds.size() == 1);
+    CHECK(result.report.rounds[0].reason == "small angles");
+    const PartMeshResult again = updated(*result.part_mesh, ribbed, options);
+    CHECK(are_same_bytes(result.part_mesh->mesh, again.part_mesh->mesh));
+}
