@@ -313,7 +313,7 @@ class SizeLoop {
             if (!attempt.filled || double(attempt.filled->mesh.tets.size()) > most_tets) return;
             last = small_angles(attempt.filled->mesh);
             if (!last.is_better_than(best) || attempt.smallest_jacobian < std::min(best_jacobian_, least_jacobian))
-                continue;
+                return;
             best = {last.smallest, last.count, {}};
             take(attempt);
         }
