@@ -250,6 +250,19 @@ class Live(Case):
             self.assertEqual(user_words.in_words(messages.of_error(caught.exception)),
                              "das Bauteil kann sich noch entlang x, y und z verschieben und um x, y und z drehen: ein Lager hinzufügen")
 
+    def test_why_it_failed_is_said_once_until_there_is_a_result(self):
+        part, analysis, live = self.cantilever()
+        fixed, faces = self.document.Fixed, self.document.Fixed.References
+        told = []
+        with mock.patch.object(live_result.FreeCAD, "Console", mock.Mock(wraps=FreeCAD.Console, PrintWarning=told.append)):
+            for references in ([], [], [(part, edges_along(part, 1)[:1])], faces, []):
+                fixed.References = references
+                fixed.touch()
+                self.document.recompute()
+        nothing = "%s: Fixed refers to nothing: choose faces, edges or vertices for it\n" % live.Label
+        self.assertEqual([line for line in told if live.Label in line],
+                         [nothing, "%s: the part can still turn about y: add a support\n" % live.Label, nothing])
+
     def test_mesh_that_is_out_of_date_is_not_solved(self):
         part, analysis, live = self.cantilever()
         self.document.FeatureMesh.Automatic = False

@@ -84,7 +84,7 @@ class LiveResult:
         try:
             self.solve(live)
         except (UserError, RuntimeError) as error:
-            FreeCAD.Console.PrintWarning("%s: %s\n" % (live.Label, user_words.in_words(messages.of_error(error))))
+            self.tell(live, error)
 
     def onDocumentRestored(self, live):
         self._forget()
@@ -145,7 +145,7 @@ class LiveResult:
         analysis = self._own_analysis(live)
         if self.solution is not None:
             self.before = self.solution
-        self.solution, self.is_fresh = Solution(job.statics.arrays, job.fields), True
+        self.solution, self.is_fresh, self.told = Solution(job.statics.arrays, job.fields), True, ""
         for hook in on_solution:
             hook(live)
         was_touched = "Touched" in analysis.State
@@ -165,6 +165,13 @@ class LiveResult:
         """Says why there is no result of the part as it is; the last one stays, out of date."""
         self.motion = getattr(error, "motion", None)
         self.set_status(live, CANCELLED if mesh_object.is_cancelled(error) else failed(live, error))
+
+    def tell(self, live, error):
+        """Says in the report view why there is no result, once until there is one again: each recompute tries anew."""
+        words = user_words.in_words(messages.of_error(error))
+        if words != self.told:
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (live.Label, words))
+        self.told = words
 
     def set_status(self, live, status):
         if not has_result(live):
@@ -220,6 +227,7 @@ class LiveResult:
         self.solution = None   # the last Solution
         self.before = None     # the one before
         self.is_fresh = False  # is it that of the part as it is?
+        self.told = ""         # why there is no result, as it was said last
         self.motion = None     # (n,3) how the part can move, where the last attempt found that
 
     def _get_ready(self, live):

@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import live_result, messages, mesh_object, user_words
+from .. import live_result, mesh_object
 from ..errors import UserError
 from .running import RunningJob, step_in_words
 
@@ -169,7 +169,7 @@ class _Run:
         self.stop()
         self.live.Proxy.fail(self.live, error)
         if not mesh_object.is_cancelled(error):
-            FreeCAD.Console.PrintWarning("%s: %s\n" % (self.live.Label, user_words.in_words(messages.of_error(error))))
+            self.live.Proxy.tell(self.live, error)
         self.tell()
 
     def _is_there(self):
