@@ -297,11 +297,13 @@ class SizeLoop {
     }
 
     /// Shorter edges at small angles of a mesh from scratch, where few ask for them. A filling counts if it has better
-    /// angles and hardly more tets.
+    /// angles and few tets more.
     void mend_small_angles() {
-        constexpr double most_tets_more = 1.1, least_jacobian = 0.2;
+        constexpr double most_tets_more = 1.25, least_jacobian = 0.2;
         constexpr int most_angle_rounds = 2;
+        constexpr std::size_t most_tets_again = 50'000;  // all of a larger mesh is too long to wait for
         if (!best_ || keeps_ || brep_.dimension() != Dimension::solids) return;
+        if (best_->mesh.tets.size() > most_tets_again) return;
         const double most_tets = most_tets_more * double(best_->mesh.tets.size());
         SmallAngles best = small_angles(best_->mesh), last = best;
         for (int round = 0; round < most_angle_rounds && rounds_.size() < most_rounds; ++round) {

@@ -38,7 +38,7 @@ SizeSource length_for_angle(const std::array<Vec3, 4>& p) {
 }  // namespace
 
 SmallAngles small_angles(const Mesh& mesh) {
-    constexpr std::size_t one_tet_in = 200;
+    constexpr std::size_t one_tet_in = 100;
     SmallAngles found;
     const double limit = found.smallest;
     std::vector<TetId> small;
