@@ -26,9 +26,11 @@ std::array<Vec3, 4> corners_of(const Mesh& mesh, TetId tet) {
 
 double smallest_angle(const std::array<Vec3, 4>& p) { return dihedral_range(p[0], p[1], p[2], p[3]).smallest_deg; }
 
+constexpr double least_share = 0.15;  ///< of its length that a tet with a small angle asks for
+
 /// An angle is about a height over the length; this gives the length with which it is a good one.
 SizeSource length_for_angle(const std::array<Vec3, 4>& p) {
-    constexpr double wanted_deg = 20, least_share = 0.15;
+    constexpr double wanted_deg = 20;
     double longest = 0;
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < i; ++j) longest = std::max(longest, distance(p[i], p[j]));
@@ -49,7 +51,8 @@ SmallAngles small_angles(const Mesh& mesh) {
     small.erase(std::remove_if(small.begin(), small.end(), [&](TetId t) { return sharp.force(t); }), small.end());
     found.count = small.size();
     for (const TetId t : small) found.smallest = std::min(found.smallest, smallest_angle(corners_of(mesh, t)));
-    if (small.empty() || small.size() * one_tet_in > mesh.tets.size()) return found;
+    const bool is_hopeless = found.smallest < least_share * limit;
+    if (small.empty() || is_hopeless || small.size() * one_tet_in > mesh.tets.size()) return found;
     found.request = {SizeReason::small_angles, as_parameter(mesh.tet_solids[small.front().index()]), {}};
     for (const TetId t : small) found.request.lengths.push_back(length_for_angle(corners_of(mesh, t)));
     return found;

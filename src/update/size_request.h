@@ -46,7 +46,7 @@ constexpr std::size_t most_rounds = 6, most_rounds_that_keep = 3, most_rounds_in
 struct SmallAngles {
     double smallest = 10;  ///< degrees
     std::size_t count = 0;
-    SizeRequest request = {};  ///< for lengths that fit their heights; none where more than one tet in 100 has one
+    SizeRequest request = {};  ///< for lengths that fit their heights; none where that cannot help, or many ask
     bool is_better_than(const SmallAngles& other) const {
         return smallest >= other.smallest && count <= other.count && (smallest > other.smallest || count < other.count);
     }
