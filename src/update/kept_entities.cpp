@@ -103,10 +103,10 @@ bool KeptEntities::is_untouched(const Place& place, std::size_t old_face, const 
 }
 
 bool KeptEntities::is_far_from_changes(const Place& place, const Vec3& p) const {
-    const Box changed = nodes_.regions()[std::size_t(place.motion)].changed.box();
+    const ChangedBoundary& changed = nodes_.regions()[std::size_t(place.motion)].changed;
     if (changed.is_empty()) return false;
-    return !changed.grown(2 * in_.margin * in_.new_sizing.largest()).contains(p) ||
-           !changed.grown(2 * in_.margin * in_.new_sizing.at(p)).contains(p);
+    return !changed.box().grown(2 * in_.margin * in_.new_sizing.largest()).contains(p) ||
+           !changed.is_within(2 * in_.margin * in_.new_sizing.at(p), p);
 }
 
 bool KeptEntities::place_on_faces(Place& place, std::size_t old_face, const Vec3& p) {
