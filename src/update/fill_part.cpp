@@ -13,6 +13,7 @@
 #include "surface/merged_entities.h"
 #include "surface/turned_triangles.h"
 #include "update/ignored_details.h"
+#include "update/mend_angles.h"
 #include "update/our_errors.h"
 #include "update/shell_division.h"
 #include "volume/curved/mid_side_nodes.h"
@@ -236,7 +237,7 @@ class SizeLoop {
           sources_(sources.begin(), sources.end()),
           rounds_(rounds),
           context_(context) {
-        options_.volume.smallest_asked = sizing.smallest();
+        options_.volume.smallest_asked = std::max(options_.volume.smallest_asked, sizing.smallest());
         if (!kept_.merged) kept_.merged = std::make_shared<const MergedEntities>(brep, options_.ignored_below);
     }
 
@@ -245,10 +246,7 @@ class SizeLoop {
             Attempt attempt = try_once();
             if (attempt.filled) offer(attempt);
             if (attempt.stand_in) offer_stand_in(attempt);
-            if (is_good_enough(attempt) || !may_go_on() || !change_something(attempt)) {
-                mend_small_angles();
-                return outcome(attempt);
-            }
+            if (is_good_enough(attempt) || !may_go_on() || !change_something(attempt)) return outcome(attempt);
         }
     }
 
@@ -286,6 +284,7 @@ class SizeLoop {
 
     void take(Attempt& attempt) {
         best_ = std::move(attempt.filled);
+        best_->shorter = shorter_;
         best_jacobian_ = attempt.smallest_jacobian;
         for (const std::vector<Entity>& place : places_)
             best_->surface.warnings.push_back(say<Code::finer_to_follow>(place));
@@ -294,31 +293,6 @@ class SizeLoop {
             best_->surface.warnings.push_back(has_tets ? say<Code::finer_for_curved_tets>(place)
                                                        : say<Code::finer_for_curved_triangles>(place));
         if (!why_plain_.empty()) best_->surface.warnings.push_back(say<Code::narrow_faces_plain>(why_plain_));
-    }
-
-    /// Shorter edges at small angles of a mesh from scratch, where few ask for them. A filling counts if it has better
-    /// angles and few tets more.
-    void mend_small_angles() {
-        constexpr double most_tets_more = 1.25, least_jacobian = 0.2;
-        constexpr int most_angle_rounds = 2;
-        constexpr std::size_t most_tets_again = 50'000;  // all of a larger mesh is too long to wait for
-        if (!best_ || keeps_ || brep_.dimension() != Dimension::solids) return;
-        if (best_->mesh.tets.size() > most_tets_again) return;
-        const double most_tets = most_tets_more * double(best_->mesh.tets.size());
-        SmallAngles best = small_angles(best_->mesh), last = best;
-        for (int round = 0; round < most_angle_rounds && rounds_.size() < most_rounds; ++round) {
-            if (last.request.is_empty()) return;
-            Attempt attempt;
-            attempt.request = std::move(last.request);
-            ask_for_shorter(attempt);
-            attempt = try_once();
-            if (!attempt.filled || double(attempt.filled->mesh.tets.size()) > most_tets) return;
-            last = small_angles(attempt.filled->mesh);
-            if (!last.is_better_than(best) || attempt.smallest_jacobian < std::min(best_jacobian_, least_jacobian))
-                return;
-            best = {last.smallest, last.count, {}};
-            take(attempt);
-        }
     }
 
     /// The first filling counts, as it has the lengths that were asked for. Rounds that do not halve the straight sides
@@ -367,28 +341,19 @@ class SizeLoop {
         const bool is_folded = request.reason == SizeReason::folded;
         if (request.is_empty() || (keeps_ && !is_folded)) return false;
         if (request.reason == SizeReason::thin && !may_help_thin()) return false;
-        const bool is_small = request.reason == SizeReason::small_angles;
         first_of_last_ = shorter_.size();
-        for (const SizeSource& source : request.lengths)
-            shorter_.push_back(is_small ? a_little_shorter(source) : shorter_than_asked(field_, source));
-        if (!is_small) (is_folded ? folded_places_ : places_).insert(request.place);
+        for (const SizeSource& source : request.lengths) shorter_.push_back(shorter_than_asked(field_, source));
+        (is_folded ? folded_places_ : places_).insert(request.place);
         // what is best for straight tets may leave curved ones no room
         if (is_folded) options_.volume.moves_surface_nodes = !best_;
         note(attempt,
              is_folded                                ? "folded"
              : request.reason == SizeReason::boundary ? "boundary"
              : request.reason == SizeReason::thin     ? "thin elements"
-             : is_small                               ? "small angles"
                                                       : "cannot follow",
              request.place, "shorter edges there");
         make_field();
         return true;
-    }
-
-    /// Another field than before, but with few tets more.
-    SizeSource a_little_shorter(SizeSource source) const {
-        source.size = std::min(source.size, 0.8 * field_.at(source.point));
-        return source;
     }
 
     /// May shorter edges mend thin elements? Two rounds show it. Where small details may be ignored, ignoring them is
@@ -486,7 +451,11 @@ Kept nothing_kept(NextNumbers next) {
 std::variant<Filled, Message> fill_part(const Brep& brep, const SizingField& sizing, Kept kept,
                                         const MeshOptions& options, std::span<const SizeSource> sources,
                                         std::vector<Round>& rounds, RunContext& context) {
-    return SizeLoop(brep, sizing, std::move(kept), options, sources, rounds, context).run();
+    const bool is_whole = kept.mesh.points.empty() && brep.dimension() == Dimension::solids;
+    auto filled = SizeLoop(brep, sizing, std::move(kept), options, sources, rounds, context).run();
+    if (auto* whole = std::get_if<Filled>(&filled); whole && is_whole && whole->why_straight.empty())
+        mend_small_angles(brep, options, sources, *whole, rounds, context);
+    return filled;
 }
 
 }  // namespace featuremesh

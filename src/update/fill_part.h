@@ -36,6 +36,7 @@ struct Filled {
     std::vector<NodeId> moved = {};
     std::vector<Vec3> used_active = {};
     std::optional<SizingField> sizing = {};  ///< as asked; what the mesher itself made shorter is not in it
+    std::vector<SizeSource> shorter = {};    ///< edges than asked, where the mesher needed them
     bool refines_narrow_faces = false;       ///< the sizing does
     /// Why some sides of 10-node tets are straight on a curved face (StraightSides); empty where none are.
     Message why_straight = {};

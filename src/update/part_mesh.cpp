@@ -256,11 +256,12 @@ PartMeshResult unchanged(const PartMesh& old, RunContext& context) {
     return result;
 }
 
-/// Numbers all elements from `first` on without gaps, segments last: FreeCAD reads only the others from files.
-void number_elements(Mesh& mesh, Number first) {
+/// Numbers all nodes and elements without gaps, segments last: FreeCAD reads only the others from files.
+void number_all(Mesh& mesh, NextNumbers next) {
+    for (Number& number : mesh.node_numbers) number = next.node++;
     for (std::vector<Number>* numbers : {&mesh.triangle_numbers, &mesh.tet_numbers, &mesh.segment_numbers})
-        for (Number& number : *numbers) number = first++;
-    mesh.next_element_number = first;
+        for (Number& number : *numbers) number = next.element++;
+    mesh.next_node_number = next.node, mesh.next_element_number = next.element;
 }
 
 /// The stages of meshing a part, in the order in which they are called; each leaves what the next needs.
@@ -379,7 +380,7 @@ class Stages {
         }
         if (const auto* refusal = std::get_if<Message>(&whole)) throw MeshError(*refusal);
         take(std::get<Filled>(std::move(whole)));
-        number_elements(filled_->mesh, next.element);
+        number_all(filled_->mesh, next);
     }
 
     /// The mesh with all that its next update needs, and the report. `before`: what it was an update of, or none.

@@ -6,8 +6,6 @@
 
 #include "core/geometry.h"
 #include "core/messages.h"
-#include "mesh/quality.h"
-#include "mesh/sharp_angles.h"
 
 namespace featuremesh {
 
@@ -19,44 +17,7 @@ SizeSource half_length_at(const Mesh& mesh, std::size_t triangle) {
     return {(a + b + c) / 3, 0.5 * std::max({distance(a, b), distance(b, c), distance(c, a)})};
 }
 
-std::array<Vec3, 4> corners_of(const Mesh& mesh, TetId tet) {
-    const auto& [a, b, c, d] = mesh.tets[tet.index()];
-    return {mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d)};
-}
-
-double smallest_angle(const std::array<Vec3, 4>& p) { return dihedral_range(p[0], p[1], p[2], p[3]).smallest_deg; }
-
-constexpr double least_share = 0.15;  ///< of its length that a tet with a small angle asks for
-
-/// An angle is about a height over the length; this gives the length with which it is a good one.
-SizeSource length_for_angle(const std::array<Vec3, 4>& p) {
-    constexpr double wanted_deg = 20;
-    double longest = 0;
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < i; ++j) longest = std::max(longest, distance(p[i], p[j]));
-    return {(p[0] + p[1] + p[2] + p[3]) / 4, longest * std::max(least_share, smallest_angle(p) / wanted_deg)};
-}
-
 }  // namespace
-
-SmallAngles small_angles(const Mesh& mesh) {
-    constexpr std::size_t one_tet_in = 100;
-    SmallAngles found;
-    const double limit = found.smallest;
-    std::vector<TetId> small;
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t)
-        if (smallest_angle(corners_of(mesh, TetId(t))) < limit) small.emplace_back(t);
-    if (small.empty()) return found;
-    const SharpAngles sharp(mesh, QualityReport::small_angle_deg);
-    small.erase(std::remove_if(small.begin(), small.end(), [&](TetId t) { return sharp.force(t); }), small.end());
-    found.count = small.size();
-    for (const TetId t : small) found.smallest = std::min(found.smallest, smallest_angle(corners_of(mesh, t)));
-    const bool is_hopeless = found.smallest < least_share * limit;
-    if (small.empty() || is_hopeless || small.size() * one_tet_in > mesh.tets.size()) return found;
-    found.request = {SizeReason::small_angles, as_parameter(mesh.tet_solids[small.front().index()]), {}};
-    for (const TetId t : small) found.request.lengths.push_back(length_for_angle(corners_of(mesh, t)));
-    return found;
-}
 
 SizeRequest for_turned_triangles(const Mesh& mesh, const std::vector<TriangleId>& turned) {
     SizeRequest request{SizeReason::cannot_follow, as_parameter(mesh.triangle_faces[turned.front().index()])};

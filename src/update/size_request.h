@@ -18,8 +18,7 @@ enum class SizeReason {
     cannot_follow,  ///< elements are too long to follow the part
     boundary,       ///< tets cannot be made to meet the triangles there
     thin,           ///< a few tets without a volume to speak of remain
-    folded,         ///< 10-node tets would be folded, or nearly so
-    small_angles    ///< below 10 degrees, and the shape does not force them
+    folded          ///< 10-node tets would be folded, or nearly so
 };
 
 /// What found a place that needs other lengths asks for. Without lengths, nothing.
@@ -41,17 +40,6 @@ struct Round {
 
 /// A filling is repeated so often at most, whatever the reasons, and so often in a row without a gain.
 constexpr std::size_t most_rounds = 6, most_rounds_that_keep = 3, most_rounds_in_vain = 2;
-
-/// The tets with an angle below 10 degrees that the shape does not force.
-struct SmallAngles {
-    double smallest = 10;  ///< degrees
-    std::size_t count = 0;
-    SizeRequest request = {};  ///< for lengths that fit their heights; none where that cannot help, or many ask
-    bool is_better_than(const SmallAngles& other) const {
-        return smallest >= other.smallest && count <= other.count && (smallest > other.smallest || count < other.count);
-    }
-};
-SmallAngles small_angles(const Mesh& mesh);
 
 /// For triangles that lie the wrong way round on their faces; at least one.
 SizeRequest for_turned_triangles(const Mesh& mesh, const std::vector<TriangleId>& turned);

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "update/mend_angles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "difference/feature_difference.h"
+#include "mesh/quality.h"
+#include "mesh/sharp_angles.h"
+#include "update/keep.h"
+
+namespace featuremesh {
+
+namespace {
+
+constexpr double smallest_wanted_deg = 10;
+constexpr double most_tets_more = 1.25;
+constexpr std::size_t most_tries = 3;        ///< of a place
+constexpr double margin_of_first_try = 1.5;  ///< edge lengths around the tets; as much again in each other try
+constexpr double reach_of_place = 3;         ///< edge lengths: what is filled again, and what mends its interface
+
+/// A tet with an angle below 10 degrees that the shape does not force.
+struct SmallTet {
+    TetId tet;
+    double angle_deg;
+    Vec3 center;
+    double longest;  ///< side, mm
+};
+
+std::array<Vec3, 4> corners_of(const Mesh& mesh, TetId tet) {
+    const auto& [a, b, c, d] = mesh.tets[tet.index()];
+    return {mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d)};
+}
+
+SmallTet small_tet(const Mesh& mesh, TetId tet, double angle_deg) {
+    const std::array<Vec3, 4> p = corners_of(mesh, tet);
+    double longest = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < i; ++j) longest = std::max(longest, distance(p[i], p[j]));
+    return {tet, angle_deg, (p[0] + p[1] + p[2] + p[3]) / 4, longest};
+}
+
+std::vector<SmallTet> small_tets(const Mesh& mesh) {
+    std::vector<SmallTet> small;
+    for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+        const auto& [a, b, c, d] = corners_of(mesh, TetId(t));
+        const double angle_deg = dihedral_range(a, b, c, d).smallest_deg;
+        if (angle_deg < smallest_wanted_deg) small.push_back(small_tet(mesh, TetId(t), angle_deg));
+    }
+    if (small.empty()) return small;
+    const SharpAngles sharp(mesh, QualityReport::small_angle_deg);
+    std::erase_if(small, [&](const SmallTet& tet) { return sharp.force(tet.tet); });
+    return small;
+}
+
+/// What is filled again together, and how good it is.
+struct Place {
+    Box box;
+    std::vector<SmallTet> tets;
+
+    double smallest_deg() const {
+        double smallest = smallest_wanted_deg;
+        for (const SmallTet& tet : tets) smallest = std::min(smallest, tet.angle_deg);
+        return smallest;
+    }
+    /// With the small tets that it has now.
+    Place as_in(const std::vector<SmallTet>& all) const {
+        Place now{box, {}};
+        for (const SmallTet& tet : all)
+            if (box.contains(tet.center)) now.tets.push_back(tet);
+        return now;
+    }
+    bool is_worse_than(const Place& other) const {
+        return smallest_deg() < other.smallest_deg() || tets.size() > other.tets.size();
+    }
+    bool is_better_than(const Place& other) const {
+        return !is_worse_than(other) && (smallest_deg() > other.smallest_deg() || tets.size() < other.tets.size());
+    }
+};
+
+/// Boxes that reach `lengths` around the tets; those that meet are one place.
+std::vector<Place> places_of(const std::vector<SmallTet>& small, const SizingField& sizing, double lengths) {
+    std::vector<Place> places;
+    for (const SmallTet& tet : small) {
+        Box box;
+        box.add(tet.center);
+        Place place{box.grown(lengths * sizing.at(tet.center) + tet.longest), {tet}};
+        for (std::size_t p = 0; p < places.size();) {
+            if (!places[p].box.overlaps(place.box)) {
+                ++p;
+                continue;
+            }
+            place.box.add(places[p].box);
+            place.tets.insert(place.tets.end(), places[p].tets.begin(), places[p].tets.end());
+            places.erase(places.begin() + std::ptrdiff_t(p));
+            p = 0;
+        }
+        places.push_back(std::move(place));
+    }
+    return places;
+}
+
+/// The tets count as changed, at each face that has one of their nodes and in space.
+ChangedBoundary changed_at(const Brep& brep, const Mesh& mesh, const std::vector<Place>& places) {
+    const std::size_t in_space = brep.face_count();
+    std::vector<std::vector<std::array<Vec3, 3>>> of_face(in_space + 1);
+    for (const Place& place : places)
+        for (const SmallTet& tet : place.tets) {
+            std::set<std::size_t> faces{in_space};
+            for (const NodeId n : mesh.tets[tet.tet.index()])
+                for (const FaceId face : brep.faces_at(mesh.entities[n.index()])) faces.insert(face.index());
+            const auto& [a, b, c, d] = corners_of(mesh, tet.tet);
+            for (const std::size_t face : faces)
+                of_face[face].insert(of_face[face].end(), {{a, b, c}, {a, b, d}, {a, c, d}, {b, c, d}});
+        }
+    std::vector<std::array<Vec3, 3>> triangles;
+    std::vector<std::size_t> ends;
+    for (const auto& some : of_face) {
+        triangles.insert(triangles.end(), some.begin(), some.end());
+        ends.push_back(triangles.size());
+    }
+    return {std::move(triangles), ends};
+}
+
+/// Of a part to itself. No face is said to be as it was, so that whatever lies near the change may go.
+FeatureDifference nothing_but(ChangedBoundary changed, const Brep& brep) {
+    CarriedRegion all;
+    all.changed = std::move(changed);
+    for (std::size_t f = 0; f < brep.face_count(); ++f) {
+        all.surface_of_old_face.push_back(int(f));
+        all.new_face_of.emplace_back(f);
+        all.new_faces_of.push_back({FaceId(f)});
+    }
+    for (std::size_t e = 0; e < brep.edge_count(); ++e) {
+        all.new_edge_of.emplace_back(e);
+        all.new_edges_of.push_back({EdgeId(e)});
+    }
+    for (std::size_t v = 0; v < brep.vertex_count(); ++v) all.new_vertex_of.emplace_back(v);
+    FeatureDifference difference;
+    difference.regions.push_back(std::move(all));
+    return difference;
+}
+
+class AngleMender {
+  public:
+    AngleMender(const Brep& brep, MeshOptions options, std::span<const SizeSource> sources, Filled& whole,
+                std::vector<Round>& rounds, RunContext& context)
+        : brep_(brep),
+          options_(std::move(options)),
+          sources_(sources.begin(), sources.end()),
+          whole_(whole),
+          most_tets_(most_tets_more * double(whole.mesh.tets.size())),
+          rounds_(rounds),
+          context_(context) {
+        options_.sizing.refines_narrow_faces = whole.refines_narrow_faces;
+        options_.volume.smallest_asked = whole.sizing->smallest();
+        options_.volume.moves_kept_nodes = true;
+        sources_.insert(sources_.end(), whole.shorter.begin(), whole.shorter.end());
+    }
+
+    void run() {
+        std::vector<SmallTet> small = small_tets(whole_.mesh);
+        if (small.empty()) return;
+        field_ = make_sizing(brep_, options_.sizing, sources_, context_);
+        while (rounds_.size() < most_rounds) {
+            const std::vector<Place> places = places_to_mend(small);
+            if (places.empty() || !fill_again(places, small)) return;
+        }
+    }
+
+  private:
+    /// Those where it failed come last, and are left after some tries.
+    std::vector<Place> places_to_mend(const std::vector<SmallTet>& small) const {
+        std::vector<std::vector<Place>> by_tries(most_tries + 1);
+        for (Place& place : places_of(small, *field_, reach_of_place))
+            by_tries[std::min(tries(place), most_tries)].push_back(std::move(place));
+        for (std::size_t t = 0; t < most_tries; ++t)
+            if (!by_tries[t].empty()) return by_tries[t];
+        return {};
+    }
+
+    std::size_t tries(const Place& place) const {
+        return std::size_t(
+            std::count_if(failed_.begin(), failed_.end(), [&](const Box& box) { return box.overlaps(place.box); }));
+    }
+
+    /// An angle is about a height over the length; with this length it is a good one. In any case it is another field
+    /// than before.
+    SizeSource wanted(const SmallTet& tet, std::size_t tries) const {
+        constexpr double wanted_deg = 20, least_share = 0.15, shorter = 0.8;
+        return {tet.center, std::min(tet.longest * std::max(least_share, tet.angle_deg / wanted_deg),
+                                     std::pow(shorter, double(tries + 1)) * field_->at(tet.center))};
+    }
+
+    /// Takes the filling where no place has become worse. False where there is none that may be taken.
+    bool fill_again(const std::vector<Place>& places, std::vector<SmallTet>& small) {
+        std::vector<SizeSource> sources = sources_;
+        for (const Place& place : places)
+            for (const SmallTet& tet : place.tets) sources.push_back(wanted(tet, tries(place)));
+        const SizingField shorter = make_sizing(brep_, options_.sizing, sources, context_);
+        Kept kept = kept_beside(places, shorter);
+        if (kept.node_origin.empty()) return false;
+        const SolidId first = whole_.mesh.tet_solids[places.front().tets.front().tet.index()];
+        rounds_.push_back({"small angles", as_parameter(first), "shorter edges there", {}});
+        auto filled = fill_part(brep_, shorter, std::move(kept), options_, sources, rounds_, context_);
+        auto* again = std::get_if<Filled>(&filled);
+        if (!again || !again->why_straight.empty() || double(again->mesh.tets.size()) > most_tets_) return false;
+        std::vector<SmallTet> now = small_tets(again->mesh);
+        if (is_any_worse(places, now)) return true;
+        small = std::move(now);
+        whole_.mesh = std::move(again->mesh);
+        sources_ = std::move(sources);
+        field_ = shorter;
+        return true;
+    }
+
+    Kept kept_beside(const std::vector<Place>& places, const SizingField& shorter) const {
+        const FeatureDifference difference = nothing_but(changed_at(brep_, whole_.mesh, places), brep_);
+        const double margin = margin_of_first_try * double(1 + tries(places.front()));
+        return keep(
+            {whole_.mesh, brep_, brep_, difference, *field_, shorter, {}, margin, false, options_.ignored_below},
+            context_);
+    }
+
+    /// Notes where nothing was gained.
+    bool is_any_worse(const std::vector<Place>& places, const std::vector<SmallTet>& now) {
+        bool is_worse = false;
+        for (const Place& place : places) {
+            const Place then = place.as_in(now);
+            is_worse |= then.is_worse_than(place);
+            if (!then.is_better_than(place)) failed_.push_back(place.box);
+        }
+        return is_worse;
+    }
+
+    const Brep& brep_;
+    MeshOptions options_;
+    std::vector<SizeSource> sources_;  ///< the field's own, and what was asked for since
+    std::optional<SizingField> field_;
+    std::vector<Box> failed_;  ///< places
+    Filled& whole_;
+    double most_tets_;
+    std::vector<Round>& rounds_;
+    RunContext& context_;
+};
+
+}  // namespace
+
+void mend_small_angles(const Brep& brep, MeshOptions options, std::span<const SizeSource> sources, Filled& whole,
+                       std::vector<Round>& rounds, RunContext& context) {
+    AngleMender(brep, std::move(options), sources, whole, rounds, context).run();
+}
+
+}  // namespace featuremesh
