@@ -19,6 +19,8 @@ namespace featuremesh {
 namespace {
 
 constexpr double smallest_wanted_deg = 10;
+constexpr double hopeless_below_deg = 1.5;  ///< shorter edges do not mend what is so flat
+constexpr std::size_t one_tet_in = 100;     ///< where more are small, it is not for a few places
 constexpr double most_tets_more = 1.25;
 constexpr std::size_t most_tries = 3;        ///< of a place
 constexpr double margin_of_first_try = 1.5;  ///< edge lengths around the tets; as much again in each other try
@@ -165,7 +167,7 @@ class AngleMender {
 
     void run() {
         std::vector<SmallTet> small = small_tets(whole_.mesh);
-        if (small.empty()) return;
+        if (small.empty() || small.size() * one_tet_in > whole_.mesh.tets.size()) return;
         field_ = make_sizing(brep_, options_.sizing, sources_, context_);
         while (rounds_.size() < most_rounds) {
             const std::vector<Place> places = places_to_mend(small);
@@ -178,7 +180,8 @@ class AngleMender {
     std::vector<Place> places_to_mend(const std::vector<SmallTet>& small) const {
         std::vector<std::vector<Place>> by_tries(most_tries + 1);
         for (Place& place : places_of(small, *field_, reach_of_place))
-            by_tries[std::min(tries(place), most_tries)].push_back(std::move(place));
+            if (place.smallest_deg() >= hopeless_below_deg)
+                by_tries[std::min(tries(place), most_tries)].push_back(std::move(place));
         for (std::size_t t = 0; t < most_tries; ++t)
             if (!by_tries[t].empty()) return by_tries[t];
         return {};
