@@ -275,7 +275,7 @@ TEST_CASE("small angles that the shape does not force get shorter edges, and an 
     check_valid(*result.part_mesh);
     CHECK(result.report.quality.min_dihedral_unforced > 10);
     REQUIRE(!result.report.rounds.empty());
-    for (const Round& round : result.report.rounds) CHECK(round.reason == "small angles");
+    for (const auto& round : result.report.rounds) CHECK(round.reason == "small angles");
     const PartMeshResult again = updated(*result.part_mesh, ribbed, options);
     CHECK(are_same_bytes(result.part_mesh->mesh, again.part_mesh->mesh));
 }
