@@ -54,38 +54,25 @@ void place_on_edges(const Brep& brep, const std::vector<bool>& is_new, Mesh& mes
     });
 }
 
-using Starts = std::vector<std::array<double, 2>>;
-
-/// Parameters on the face to start a projection from: of the triangle's nodes inside it, and half way along the side.
-Starts start_parameters(const Mesh& mesh, std::size_t triangle, int side) {
-    const auto& corners = mesh.triangles[triangle];
-    const auto is_inside = [&](NodeId n) {
-        return mesh.entities[n.index()] == entity_of(mesh.triangle_faces[triangle]);
-    };
-    Starts starts;
-    for (const NodeId n : corners)
-        if (is_inside(n)) starts.push_back(mesh.parameters[n.index()]);
-    const NodeId a = corners[side], b = corners[(side + 1) % 3];
-    if (!is_inside(a) || !is_inside(b)) return starts;
-    const auto &at_a = mesh.parameters[a.index()], &at_b = mesh.parameters[b.index()];
-    starts.push_back({0.5 * (at_a[0] + at_b[0]), 0.5 * (at_a[1] + at_b[1])});
-    return starts;
+/// Parameters on the face of a node of the triangle, to start a projection from.
+std::optional<std::array<double, 2>> start_parameters(const Mesh& mesh, std::size_t triangle) {
+    for (NodeId n : mesh.triangles[triangle])
+        if (mesh.entities[n.index()] == entity_of(mesh.triangle_faces[triangle])) return mesh.parameters[n.index()];
+    return std::nullopt;
 }
 
 /// The point of the face nearest to the middle of a side. Where the face bends so much that this point is towards one
 /// end of the side, the point of the face as far from one end as from the other.
-OnFace above_middle(const Projector& projector, FaceId face, const Vec3& a, const Vec3& b, const Starts& starts) {
+OnFace above_middle(const Projector& projector, FaceId face, const Vec3& a, const Vec3& b,
+                    const std::optional<std::array<double, 2>>& start) {
     constexpr double most_slide = 0.05, enough = 0.01;
     constexpr int most_steps = 20;
     const Vec3 middle = 0.5 * (a + b), along = b - a;
     const auto slide_of = [&](const OnFace& on) { return dot(on.point - middle, along) / squared_length(along); };
-    OnFace best = starts.empty() ? projector.nearest(face, middle) : projector.nearest(face, middle, starts.front());
+    OnFace best = projector.nearest(face, middle, start);
     if (std::abs(slide_of(best)) < most_slide) return best;
     // Newton's steps from one end may have gone astray
-    for (std::size_t i = 1; i < starts.size(); ++i)
-        if (const auto other = projector.nearest_by_steps(face, middle, starts[i]);
-            other && other->distance < best.distance)
-            best = *other;
+    if (const OnFace global = projector.nearest(face, middle); global.distance < best.distance) best = global;
     OnFace on = best;
     double least = slide_of(best);
     if (std::abs(least) < most_slide) return best;
@@ -122,7 +109,7 @@ void place_on_faces(const Brep& brep, const std::vector<bool>& is_new, Mesh& mes
             const auto& corners = mesh.triangles[i];
             const std::size_t mid = mesh.triangle_mids[i][s].index();
             const OnFace on = above_middle(projector, mesh.triangle_faces[i], mesh.point(corners[s]),
-                                           mesh.point(corners[(s + 1) % 3]), start_parameters(mesh, i, s));
+                                           mesh.point(corners[(s + 1) % 3]), start_parameters(mesh, i));
             mesh.points[mid] = on.point;
             mesh.parameters[mid] = on.uv;
         }
