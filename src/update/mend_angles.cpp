@@ -9,7 +9,10 @@
 #include <utility>
 #include <variant>
 
+#include "core/geometry.h"
+#include "core/ids.h"
 #include "difference/feature_difference.h"
+#include "mesh/mesh.h"
 #include "mesh/quality.h"
 #include "mesh/sharp_angles.h"
 #include "update/keep.h"
@@ -22,9 +25,10 @@ constexpr double smallest_wanted_deg = 10;
 constexpr double hopeless_below_deg = 1.5;  ///< shorter edges do not mend what is so flat
 constexpr std::size_t one_tet_in = 100;     ///< where more are small, it is not for a few places
 constexpr double most_tets_more = 1.25;
-constexpr std::size_t most_tries = 3;        ///< of a place
-constexpr double margin_of_first_try = 1.5;  ///< edge lengths around the tets; as much again in each other try
-constexpr double reach_of_place = 3;         ///< edge lengths: what is filled again, and what mends its interface
+constexpr std::size_t most_tries = 3;             ///< of a place
+constexpr std::size_t most_tets_again = 500'000;  ///< in all rounds; each goes through the whole mesh once
+constexpr double margin_of_first_try = 1.5;       ///< edge lengths around the tets; as much again in each other try
+constexpr double reach_of_place = 3;              ///< edge lengths: what is filled again, and what mends its interface
 
 /// A tet with an angle below 10 degrees that the shape does not force.
 struct SmallTet {
@@ -169,7 +173,8 @@ class AngleMender {
         std::vector<SmallTet> small = small_tets(whole_.mesh);
         if (small.empty() || small.size() * one_tet_in > whole_.mesh.tets.size()) return;
         field_ = make_sizing(brep_, options_.sizing, sources_, context_);
-        while (rounds_.size() < most_rounds) {
+        const std::size_t rounds = std::max<std::size_t>(1, most_tets_again / whole_.mesh.tets.size());
+        for (std::size_t round = 0; round < rounds && rounds_.size() < most_rounds; ++round) {
             const std::vector<Place> places = places_to_mend(small);
             if (places.empty() || !fill_again(places, small)) return;
         }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <set>
 #include <span>
 #include <utility>
 #include <variant>
@@ -259,7 +258,7 @@ PartMeshResult unchanged(const PartMesh& old, RunContext& context) {
 /// Numbers all nodes and elements without gaps, segments last: FreeCAD reads only the others from files.
 void number_all(Mesh& mesh, NextNumbers next) {
     for (Number& number : mesh.node_numbers) number = next.node++;
-    for (std::vector<Number>* numbers : {&mesh.triangle_numbers, &mesh.tet_numbers, &mesh.segment_numbers})
+    for (auto* numbers : {&mesh.triangle_numbers, &mesh.tet_numbers, &mesh.segment_numbers})
         for (Number& number : *numbers) number = next.element++;
     mesh.next_node_number = next.node, mesh.next_element_number = next.element;
 }
