@@ -279,3 +279,20 @@ TEST_CASE("small angles that the shape does not force get shorter edges, and an 
     const PartMeshResult again = updated(*result.part_mesh, ribbed, options);
     CHECK(are_same_bytes(result.part_mesh->mesh, again.part_mesh->mesh));
 }
+
+TEST_CASE("small angles of a large mesh are mended where they are, with the same bytes for any number of threads") {
+    const RawDocument ribbed = PartDocument()
+                                   .box("Block", {0, 0, 0}, {60, 40, 40})
+                                   .box("Rib", {0, 20, 40}, {20, 0.2, 4})
+                                   .fuse("Part", "Block", "Rib")
+                                   .finish();
+    for (const int order : {1, 2}) {
+        const PartMeshResult result = meshed(ribbed, options_of(1.75, order));
+        check_valid(*result.part_mesh);
+        CHECK(result.part_mesh->mesh.tets.size() > 100'000);
+        REQUIRE(!result.report.rounds.empty());
+        CHECK(result.report.rounds[0].reason == "small angles");
+        CHECK(result.report.quality.min_dihedral_unforced > 10);
+        CHECK(are_same_bytes(result.part_mesh->mesh, meshed(ribbed, options_of(1.75, order), 3).part_mesh->mesh));
+    }
+}
