@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files and other makers' meshes by hand: a STEP file meshed, a mesh saved by FreeCAD's own File > Export, a mesh of FEM's panel of Gmsh adopted.
+
+Run by test_window.py with the bracket of the examples; see drive_window.py for the result and the pictures.
+"""
+import os
+import shutil
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import Fem  # noqa: E402
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+import ImportGui  # noqa: E402
+import window  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
+from window import click_button_of, click_in_panel, figures, panel, picture, spin, type_into, wait_for  # noqa: E402
+
+
+def select(obj):
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(obj)
+
+
+def mesh_by_hand(part, size):
+    """Our button in FEM's toolbar, a size in the panel, OK."""
+    from freecad.featuremesh import api, mesh_object
+    select(part)
+    click_button_of("FeatureMesh_MeshPart")
+    type_into(panel("MeshPanel").size, size)
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    mesh = api.meshes_of(part.Document)[-1]
+    assert mesh.Status == mesh_object.UP_TO_DATE and mesh.FemMesh.VolumeCount > 100, mesh.Status
+    return mesh
+
+
+def answer_file_dialog(path):
+    """Types the path into the next dialog for files, chooses the kind of file, and accepts. Keep what it returns until then."""
+    def look():
+        dialog = QtGui.QApplication.activeModalWidget()
+        if isinstance(dialog, QtGui.QFileDialog) and dialog.isVisible():
+            timer.stop()
+            dialog.selectNameFilter(next(kind for kind in dialog.nameFilters() if kind.startswith("FEM mesh formats")))
+            dialog.findChild(QtGui.QLineEdit).setText(path)
+            dialog.accept()
+    timer = QtCore.QTimer()
+    timer.timeout.connect(look)
+    timer.start(100)
+    return timer
+
+
+def check_export(mesh, folder):
+    """FreeCAD's own export has all nodes, elements and groups of ours."""
+    for ending in ("unv", "med", "inp"):
+        path = os.path.join(folder, "mesh." + ending)
+        select(mesh)
+        answering = answer_file_dialog(path)
+        Gui.runCommand("Std_Export", 0)
+        wait_for(lambda: os.path.exists(path))
+        assert not answering.isActive()
+        back = Fem.read(path)
+        assert (back.NodeCount, back.VolumeCount) == (mesh.FemMesh.NodeCount, mesh.FemMesh.VolumeCount), ending
+        assert ending == "inp" or back.GroupCount == mesh.FemMesh.GroupCount, ending
+
+
+def check_step(body, folder):
+    """A STEP file has no features; its solid is meshed as it is."""
+    path = os.path.join(folder, "part.step")
+    body.Shape.exportStep(path)
+    document = FreeCAD.newDocument("Imported")
+    ImportGui.insert(path, document.Name)
+    spin(1)
+    part = next(obj for obj in document.Objects if getattr(obj, "Shape", None) and obj.Shape.Solids)
+    mesh = mesh_by_hand(part, "10 mm")
+    picture("step")
+    figures.append("STEP: %d elements" % mesh.FemMesh.VolumeCount)
+    FreeCAD.closeDocument(document.Name)
+
+
+def check_adopted(document):
+    """FEM's own panel of Gmsh makes a mesh; our button takes it over, and it is updated locally from then on. Returns it."""
+    from freecad.featuremesh import api, mesh_object
+    before = set(document.Objects)
+    select(document.getObject("Body"))
+    Gui.runCommand("FEM_MeshGmshFromShape", 0)
+    spin(1)   # until its panel is there
+    foreign, = set(document.Objects) - before
+    click_in_panel("Apply")
+    wait_for(lambda: foreign.FemMesh.VolumeCount)
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    select(foreign)
+    click_button_of("FeatureMesh_Adopt")
+    wait_for(lambda: set(api.meshes_of(document)) - before)
+    mesh, = set(api.meshes_of(document)) - before
+    assert mesh.FemMesh.NodeCount == foreign.FemMesh.NodeCount and not foreign.ViewObject.Visibility
+    document.HoleSketch.setDatum("Hole6X", FreeCAD.Units.Quantity("105 mm"))
+    document.recompute()
+    wait_for(lambda: mesh.Status == mesh_object.UP_TO_DATE)
+    picture("adopted")
+    assert 50 < mesh.KeptNodes < 100, mesh.KeptNodes
+    figures.append("adopted: %d %% of the nodes kept after an edit" % mesh.KeptNodes)
+    return mesh
+
+
+def drive():
+    document = FreeCAD.ActiveDocument
+    window.choose_tab(document.Label)
+    Gui.activateWorkbench("FemWorkbench")
+    spin(0.5)
+    body = document.getObject("Body")
+    mesh = check_adopted(document) if shutil.which("gmsh") else mesh_by_hand(body, "10 mm")
+    with tempfile.TemporaryDirectory() as folder:
+        check_export(mesh, folder)
+        check_step(body, folder)
+
+
+window.run(drive)
