@@ -7,6 +7,7 @@ import os
 import shutil
 import sys
 import tempfile
+import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import Fem  # noqa: E402
@@ -106,6 +107,8 @@ def check_adopted(document):
 
 
 def drive():
+    if FreeCAD.Version()[0] != "0":
+        raise unittest.SkipTest("tried with FreeCAD 0.20 alone so far: the panel of Gmsh is another one later")
     document = FreeCAD.ActiveDocument
     window.choose_tab(document.Label)
     Gui.activateWorkbench("FemWorkbench")
