@@ -264,12 +264,16 @@ TEST_CASE(
     }
 }
 
+static RawDocument ribbed_block(double thickness) {
+    return PartDocument()
+        .box("Block", {0, 0, 0}, {60, 40, 40})
+        .box("Rib", {0, 20, 40}, {20, thickness, 4})
+        .fuse("Part", "Block", "Rib")
+        .finish();
+}
+
 TEST_CASE("small angles that the shape does not force get shorter edges, and an update keeps them") {
-    const RawDocument ribbed = PartDocument()
-                                   .box("Block", {0, 0, 0}, {60, 40, 40})
-                                   .box("Rib", {0, 20, 40}, {20, 0.35, 4})
-                                   .fuse("Part", "Block", "Rib")
-                                   .finish();
+    const RawDocument ribbed = ribbed_block(0.35);
     const MeshOptions options = options_of(4);
     const PartMeshResult result = meshed(ribbed, options);
     check_valid(*result.part_mesh);
@@ -281,11 +285,7 @@ TEST_CASE("small angles that the shape does not force get shorter edges, and an 
 }
 
 TEST_CASE("small angles of a large mesh are mended where they are, with the same bytes for any number of threads") {
-    const RawDocument ribbed = PartDocument()
-                                   .box("Block", {0, 0, 0}, {60, 40, 40})
-                                   .box("Rib", {0, 20, 40}, {20, 0.2, 4})
-                                   .fuse("Part", "Block", "Rib")
-                                   .finish();
+    const RawDocument ribbed = ribbed_block(0.2);
     for (const int order : {1, 2}) {
         const PartMeshResult result = meshed(ribbed, options_of(1.75, order));
         check_valid(*result.part_mesh);
