@@ -16,7 +16,7 @@ import published
 import sanitizers
 import tidy
 import wheels
-from engine_build import ALL, IN_FREECAD, PYTHON, set_up
+from engine_build import ALL, IN_FREECAD, PYTHON, processes_at_once, set_up
 from freecad_task import freecad_environment, run_script, run_task, window_environment
 from layout import EXAMPLES, RELEASE, ROOT, WORKBENCH, Failure, Unavailable, UserError
 from setup_log import say
@@ -144,9 +144,11 @@ def test(given):
     say("running the tests" + (" in FreeCAD" if given.in_freecad else ""))
     options = [*(["-R", given.only] if given.only else []), *(["-L", ctest.IN_FREECAD_LABEL] if given.in_freecad else [])]
     environment = dict(os.environ)
-    if given.long:
+    if given.long:   # one at a time, for their tables would mix
         options.append("--verbose")
         environment["FEATUREMESH_LONG"] = "1"
+    else:
+        options += ["-j", str(processes_at_once())]
     ctest.run(RELEASE, options, environment)
     return 0
 

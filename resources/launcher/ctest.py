@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs tests by CTest. Tests of FreeCAD's window that fail run once more: they wait for a window server and for time, which no mesh depends on."""
+"""Runs tests by CTest. Tests of FreeCAD's window that fail run once more, one at a time: they wait for a window server and for time, which no mesh depends on."""
 import re
 import subprocess
 

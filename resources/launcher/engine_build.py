@@ -18,7 +18,7 @@ SOURCE_FILES = ("CMakeLists.txt", "CMakePresets.json", "tests/CMakeLists.txt")
 ENGINE, IN_FREECAD, ALL = TARGETS = ("featuremesh_engine", "featuremesh_tests_in_freecad", "all")
 WHAT = {ENGINE: "the engine", IN_FREECAD: "the engine and what its tests in FreeCAD need", ALL: "the engine and the tests"}
 PYTHON = "/usr/bin/python3"
-MEMORY_PER_COMPILER = 2 << 30
+MEMORY_PER_PROCESS = 2 << 30
 
 
 def set_up(extra_packages=(), target=ENGINE):
@@ -73,14 +73,14 @@ def build(target):
     say(f"building {WHAT[target]}")
     run_logged(["cmake", "--preset", "release", "-B", RELEASE, f"-DPython_EXECUTABLE={PYTHON}", f"-DPython3_EXECUTABLE={PYTHON}",
                 f"-DPYTHON_EXECUTABLE={PYTHON}", f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}"], "configuring the build", cwd=ROOT)
-    run_logged(["cmake", "--build", RELEASE, "-j", str(compilers_at_once()), "--target", target], "building", cwd=ROOT,
+    run_logged(["cmake", "--build", RELEASE, "-j", str(processes_at_once()), "--target", target], "building", cwd=ROOT,
                start_new_session=True)
 
 
-def compilers_at_once():
-    """One compiler per processor, fewer where memory is short: CGAL's templates need up to 2 GB each."""
+def processes_at_once():
+    """Compilers or tests: one per processor, fewer where memory is short. CGAL's templates need up to 2 GB each, a test with its FreeCADs about as much."""
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-    return max(1, min(len(os.sched_getaffinity(0)), memory // MEMORY_PER_COMPILER))
+    return max(1, min(len(os.sched_getaffinity(0)), memory // MEMORY_PER_PROCESS))
 
 
 def fingerprint():

@@ -5,7 +5,7 @@ import subprocess
 
 import cgal_headers
 import packages
-from engine_build import alone, compilers_at_once
+from engine_build import alone, processes_at_once
 from layout import BUILD, CGAL, ROOT, Failure
 from setup_log import run_logged, say
 
@@ -26,9 +26,9 @@ def run(kind, only=None):
     with alone(folder):
         say(f"building the engine's tests with the {kind} sanitizer")
         run_logged(["cmake", "--preset", PRESET_OF[kind], "-B", folder, f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}"], "configuring the build", cwd=ROOT)
-        run_logged(["cmake", "--build", folder, "-j", str(compilers_at_once())], "building", cwd=ROOT)
+        run_logged(["cmake", "--build", folder, "-j", str(processes_at_once())], "building", cwd=ROOT)
     say(f"running them with the {kind} sanitizer")
-    code = subprocess.run(["ctest", "--test-dir", str(folder), "-j", str(compilers_at_once()), "--output-on-failure", "--no-tests=error", "--timeout", str(SECONDS_AT_MOST),
+    code = subprocess.run(["ctest", "--test-dir", str(folder), "-j", str(processes_at_once()), "--output-on-failure", "--no-tests=error", "--timeout", str(SECONDS_AT_MOST),
                            *(["-R", only] if only else [])], env={**os.environ, **OPTIONS}).returncode
     if code:
         raise Failure(f"the tests failed with the {kind} sanitizer (see above)")

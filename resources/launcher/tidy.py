@@ -8,7 +8,7 @@ from pathlib import Path
 
 import cgal_headers
 import packages
-from engine_build import alone, compilers_at_once
+from engine_build import alone, processes_at_once
 from layout import BUILD, CGAL, ROOT, Failure, Unavailable
 from setup_log import run_logged, say
 
@@ -31,7 +31,7 @@ def run(since, seconds=None):
         run_logged(["cmake", "--preset", "dev", "-B", folder, f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"],
                    "configuring the build", cwd=ROOT)
     say(f"looking at {len(files)} of {len(all_sources())} source files with {CLANG_TIDY}")
-    with ThreadPoolExecutor(compilers_at_once()) as pool:
+    with ThreadPoolExecutor(processes_at_once()) as pool:
         found = list(pool.map(lambda file: complaints_about(file, folder, ends), files))
     if None in found:
         say(f"its time is over after {len(found) - found.count(None)} of {len(files)} files, those that changed last")

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import cgal_headers
-from engine_build import PYTHON, compilers_at_once
+from engine_build import PYTHON, processes_at_once
 from layout import BUILD, CGAL, ROOT, Failure
 from setup_log import run_logged, say
 
@@ -127,7 +127,7 @@ def build_modules(wanted):
                 f"-DFEATUREMESH_CGAL_DIR={CGAL / 'usr'}", f"-DFEATUREMESH_PYBIND11_DIR={TOOLS / 'usr' / 'include'}",
                 "-DFEATUREMESH_PYTHONS=" + ";".join(f"{python.tag}={':'.join(python.headers)}" for python in wanted)],
                "configuring the build", cwd=ROOT)
-    run_logged(["cmake", "--build", MODULES, "-j", str(compilers_at_once())], "building", cwd=ROOT)
+    run_logged(["cmake", "--build", MODULES, "-j", str(processes_at_once())], "building", cwd=ROOT)
     return {python: MODULES / "bindings" / python.tag / f"{MODULE}.{python.tag}.so" for python in wanted}
 
 
