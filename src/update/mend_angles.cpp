@@ -24,8 +24,10 @@ namespace {
 constexpr double smallest_wanted_deg = 10;
 constexpr double hopeless_below_deg = 1.5;  ///< shorter edges do not mend what is so flat
 constexpr std::size_t one_tet_in = 100;     ///< where more are small, it is not for a few places
+constexpr std::size_t few_tets = 50;        ///< so many may be small in any mesh
 constexpr double most_tets_more = 1.25;
-constexpr std::size_t most_tries = 3;             ///< of a place
+constexpr std::size_t cheap_tets = 2000;  ///< so many more are no burden, where they do no more than double the mesh
+constexpr std::size_t most_tries = 3;     ///< of a place
 constexpr std::size_t most_tets_again = 500'000;  ///< in all rounds; each goes through the whole mesh once
 constexpr double margin_of_first_try = 1.5;       ///< edge lengths around the tets; as much again in each other try
 constexpr double reach_of_place = 3;              ///< edge lengths: what is filled again, and what mends its interface
@@ -81,13 +83,23 @@ struct Place {
             if (box.contains(tet.center)) now.tets.push_back(tet);
         return now;
     }
-    bool is_worse_than(const Place& other) const {
-        return smallest_deg() < other.smallest_deg() || tets.size() > other.tets.size();
-    }
+    /// The smallest angle counts, and how many there are where it is about the same.
     bool is_better_than(const Place& other) const {
-        return !is_worse_than(other) && (smallest_deg() > other.smallest_deg() || tets.size() < other.tets.size());
+        constexpr double same_deg = 0.5;  // less is not worth the tets
+        const double gain_deg = smallest_deg() - other.smallest_deg();
+        return gain_deg > same_deg || (gain_deg > -same_deg && tets.size() < other.tets.size());
     }
 };
+
+/// Of all small tets those in none of the places.
+Place beside(const std::vector<Place>& places, const std::vector<SmallTet>& all) {
+    Place rest;
+    for (const SmallTet& tet : all)
+        if (std::none_of(places.begin(), places.end(),
+                         [&](const Place& place) { return place.box.contains(tet.center); }))
+            rest.tets.push_back(tet);
+    return rest;
+}
 
 /// Boxes that reach `lengths` around the tets; those that meet are one place.
 std::vector<Place> places_of(const std::vector<SmallTet>& small, const SizingField& sizing, double lengths) {
@@ -152,6 +164,10 @@ FeatureDifference nothing_but(ChangedBoundary changed, const Brep& brep) {
     return difference;
 }
 
+double most_tets_for(std::size_t tets) {
+    return std::max(most_tets_more * double(tets), double(tets + std::min(tets, cheap_tets)));
+}
+
 class AngleMender {
   public:
     AngleMender(const Brep& brep, MeshOptions options, std::span<const SizeSource> sources, Filled& whole,
@@ -160,7 +176,7 @@ class AngleMender {
           options_(std::move(options)),
           sources_(sources.begin(), sources.end()),
           whole_(whole),
-          most_tets_(most_tets_more * double(whole.mesh.tets.size())),
+          most_tets_(most_tets_for(whole.mesh.tets.size())),
           rounds_(rounds),
           context_(context) {
         options_.sizing.refines_narrow_faces = whole.refines_narrow_faces;
@@ -171,7 +187,7 @@ class AngleMender {
 
     void run() {
         std::vector<SmallTet> small = small_tets(whole_.mesh);
-        if (small.empty() || small.size() * one_tet_in > whole_.mesh.tets.size()) return;
+        if (small.empty() || small.size() > std::max(few_tets, whole_.mesh.tets.size() / one_tet_in)) return;
         field_ = make_sizing(brep_, options_.sizing, sources_, context_);
         const std::size_t rounds = std::max<std::size_t>(1, most_tets_again / whole_.mesh.tets.size());
         for (std::size_t round = 0; round < rounds && rounds_.size() < most_rounds; ++round) {
@@ -205,7 +221,7 @@ class AngleMender {
                                      std::pow(shorter, double(tries + 1)) * field_->at(tet.center))};
     }
 
-    /// Takes the filling where no place has become worse. False where there is none that may be taken.
+    /// Takes the filling where some place is better and none worse. False where nothing can be kept beside the places.
     bool fill_again(const std::vector<Place>& places, std::vector<SmallTet>& small) {
         std::vector<SizeSource> sources = sources_;
         for (const Place& place : places)
@@ -217,14 +233,19 @@ class AngleMender {
         rounds_.push_back({"small angles", as_parameter(first), "shorter edges there", {}});
         auto filled = fill_part(brep_, shorter, std::move(kept), options_, sources, rounds_, context_);
         auto* again = std::get_if<Filled>(&filled);
-        if (!again || !again->why_straight.empty() || double(again->mesh.tets.size()) > most_tets_) return false;
-        std::vector<SmallTet> now = small_tets(again->mesh);
-        if (is_any_worse(places, now)) return true;
-        small = std::move(now);
+        auto now = small_tets_of(again);
+        if (!is_gain(places, small, now ? *now : small)) return true;
+        small = *std::move(now);
         whole_.mesh = std::move(again->mesh);
         sources_ = std::move(sources);
         field_ = shorter;
         return true;
+    }
+
+    /// None where it is no mesh that may be taken.
+    std::optional<std::vector<SmallTet>> small_tets_of(const Filled* again) const {
+        if (!again || !again->why_straight.empty() || double(again->mesh.tets.size()) > most_tets_) return std::nullopt;
+        return small_tets(again->mesh);
     }
 
     Kept kept_beside(const std::vector<Place>& places, const SizingField& shorter) const {
@@ -236,14 +257,18 @@ class AngleMender {
     }
 
     /// Notes where nothing was gained.
-    bool is_any_worse(const std::vector<Place>& places, const std::vector<SmallTet>& now) {
-        bool is_worse = false;
+    bool is_gain(const std::vector<Place>& places, const std::vector<SmallTet>& before,
+                 const std::vector<SmallTet>& now) {
+        const bool is_rest_worse = beside(places, before).is_better_than(beside(places, now));
+        bool is_any_worse = is_rest_worse, is_any_better = false;
         for (const Place& place : places) {
             const Place then = place.as_in(now);
-            is_worse |= then.is_worse_than(place);
-            if (!then.is_better_than(place)) failed_.push_back(place.box);
+            is_any_worse |= place.is_better_than(then);
+            const bool gains = !is_rest_worse && then.is_better_than(place);
+            is_any_better |= gains;
+            if (!gains) failed_.push_back(place.box);
         }
-        return is_worse;
+        return is_any_better && !is_any_worse;
     }
 
     const Brep& brep_;

@@ -296,3 +296,12 @@ TEST_CASE("small angles of a large mesh are mended where they are, with the same
         CHECK(are_same_bytes(result.part_mesh->mesh, meshed(ribbed, options_of(1.75, order), 3).part_mesh->mesh));
     }
 }
+
+TEST_CASE("a small mesh may grow by more for its angles") {
+    for (const int order : {1, 2}) {
+        const PartMeshResult result = meshed(ribbed_block(0.25), options_of(6, order));
+        check_valid(*result.part_mesh);
+        CHECK(result.report.quality.min_dihedral_unforced > 10);
+        CHECK(result.part_mesh->mesh.tets.size() < 7000);
+    }
+}
