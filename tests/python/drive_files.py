@@ -7,7 +7,6 @@ import os
 import shutil
 import sys
 import tempfile
-import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import Fem  # noqa: E402
@@ -52,9 +51,9 @@ def answer_file_dialog(path):
     return timer
 
 
-def check_export(mesh, folder):
+def check_export(mesh, folder, *endings):
     """FreeCAD's own export has all nodes, elements and groups of ours."""
-    for ending in ("unv", "med", "inp"):
+    for ending in endings:
         path = os.path.join(folder, "mesh." + ending)
         select(mesh)
         answering = answer_file_dialog(path)
@@ -66,10 +65,10 @@ def check_export(mesh, folder):
         assert ending == "inp" or back.GroupCount == mesh.FemMesh.GroupCount, ending
 
 
-def check_step(body, folder):
-    """A STEP file has no features; its solid is meshed as it is."""
+def check_step(shape, folder):
+    """A STEP file has no features; its solid is meshed as it is. FreeCAD 1.1 takes minutes for CalculiX's format of a large mesh."""
     path = os.path.join(folder, "part.step")
-    body.Shape.exportStep(path)
+    shape.exportStep(path)
     document = FreeCAD.newDocument("Imported")
     ImportGui.insert(path, document.Name)
     spin(1)
@@ -77,6 +76,7 @@ def check_step(body, folder):
     mesh = mesh_by_hand(part, "10 mm")
     picture("step")
     figures.append("STEP: %d elements" % mesh.FemMesh.VolumeCount)
+    check_export(mesh, folder, "inp")
     FreeCAD.closeDocument(document.Name)
 
 
@@ -107,8 +107,6 @@ def check_adopted(document):
 
 
 def drive():
-    if FreeCAD.Version()[0] != "0":
-        raise unittest.SkipTest("tried with FreeCAD 0.20 alone so far: the panel of Gmsh is another one later")
     document = FreeCAD.ActiveDocument
     window.choose_tab(document.Label)
     Gui.activateWorkbench("FemWorkbench")
@@ -116,8 +114,8 @@ def drive():
     body = document.getObject("Body")
     mesh = check_adopted(document) if shutil.which("gmsh") else mesh_by_hand(body, "10 mm")
     with tempfile.TemporaryDirectory() as folder:
-        check_export(mesh, folder)
-        check_step(body, folder)
+        check_export(mesh, folder, "unv", "med")
+        check_step(document.Boss.Shape, folder)
 
 
 window.run(drive)
