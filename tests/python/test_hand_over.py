@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """FreeCAD's mesh has the nodes, elements, numbers and groups of the engine's, whichever way it is handed over."""
 import os
+import shutil
 import tempfile
 import unittest
 from unittest import mock
 
 import FreeCAD
 import numpy as np
+import ObjectsFem
 import Part
+from analyses import add_material, add_solver, solve
 from freecad.featuremesh import api, hand_over, mesh_object, statics_result
 from parts import new_document, plate_with_hole
+from remeshed_examples import STEEL
 
 ELEMENTS = (("Edges", "segments", "segment_mids", "segment_numbers"), ("Faces", "triangles", "triangle_mids", "triangle_numbers"),
             ("Volumes", "tets", "tet_mids", "tet_numbers"))
@@ -33,6 +37,23 @@ def contents_of(arrays, groups):
     return (dict(zip(arrays["node_numbers"].tolist(), map(tuple, arrays["points"].tolist()))),
             {kind: dict(zip(arrays[own].tolist(), map(tuple, connected(arrays, elements, mids).tolist()))) for kind, elements, mids, own in ELEMENTS},
             {name: (kind, sorted(np.asarray(members).tolist())) for name, kind, members in groups})
+
+
+def analysis_with_rigid_end(mesh):
+    """One end of the plate is held, the other a rigid body that is pulled up."""
+    document, part = mesh.Document, mesh.Document.getObject("Body")
+    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+    add_solver(document, analysis)
+    add_material(document, analysis, "Steel", STEEL)
+    held, pulled = (next("Face%d" % (i + 1) for i, face in enumerate(part.Shape.Faces) if face.BoundBox.XMin > x - 1e-6 and face.BoundBox.XMax < x + 1e-6)
+                    for x in (0, 60))
+    fixed, end = ObjectsFem.makeConstraintFixed(document, "Fixed"), ObjectsFem.makeConstraintRigidBody(document, "End")
+    fixed.References, end.References, end.ReferenceNode = [(part, held)], [(part, pulled)], FreeCAD.Vector(60, 20, 5)
+    end.TranslationalModeZ, end.ForceZ = "Load", "1000 N"
+    for member in (fixed, end, mesh):
+        analysis.addObject(member)
+    document.recompute()
+    return analysis
 
 
 class HandOver(unittest.TestCase):
@@ -126,6 +147,16 @@ class HandOver(unittest.TestCase):
         mesh = api.add_mesh(part, 6, 2)
         document.recompute()
         self.check(*self.groups_and_arrays(mesh))
+
+    @unittest.skipUnless(shutil.which("ccx") and hasattr(ObjectsFem, "makeConstraintRigidBody"), "CalculiX, or FreeCAD's rigid bodies, are not there")
+    def test_the_reference_nodes_of_a_rigid_body_are_none_of_the_mesh(self):
+        mesh = self.meshed(2)
+        self.edited(mesh, 22)
+        analysis = analysis_with_rigid_end(mesh)
+        self.assertGreater(max(mesh.FemMesh.Nodes), mesh.FemMesh.NodeCount + 2 * len(analysis.Group))
+        found = solve(analysis)
+        api.renumber_mesh(mesh)
+        self.assertAlmostEqual(found["displacement"] / solve(analysis)["displacement"], 1, delta=1e-6)
 
     def test_nothing(self):
         mesh = self.meshed()

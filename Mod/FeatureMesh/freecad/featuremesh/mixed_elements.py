@@ -20,15 +20,15 @@ translate = FreeCAD.Qt.translate
 # What the check says of a mesh with solids, in all versions.
 _SHELLS_REFUSED = "Shell thicknesses defined but FEM mesh has volume elements.\n"
 _BEAMS_REFUSED = "Beam sections defined but FEM mesh has volume or shell elements.\n"
-_MARK = "takes_shells_and_beams_by_featuremesh"
+_MARK = "is_wrapped_by_featuremesh"
 
 
 def install():
     """To be called once one of our meshes is there; further calls do nothing."""
-    _wrap("femtools.checksanalysis", None, "check_member_for_solver_calculix", _of_check)
-    _wrap("femmesh.meshsetsgetter", "MeshSetsGetter", "get_mesh_sets", _of_sets)
-    _wrap("femmesh.meshsetsgetter", "MeshSetsGetter", "get_constraints_force_nodeloads", _of_loads)
-    _wrap("femsolver.calculix.write_mesh", None, "write_mesh", _of_writing)
+    wrap("femtools.checksanalysis", None, "check_member_for_solver_calculix", _of_check)
+    wrap("femmesh.meshsetsgetter", "MeshSetsGetter", "get_mesh_sets", _of_sets)
+    wrap("femmesh.meshsetsgetter", "MeshSetsGetter", "get_constraints_force_nodeloads", _of_loads)
+    wrap("femsolver.calculix.write_mesh", None, "write_mesh", _of_writing)
 
 
 def is_mixed(fem_mesh, member):
@@ -70,7 +70,8 @@ def _named(objects, kind):
             for name in ((names,) if isinstance(names, str) else names) if name.startswith(kind)]
 
 
-def _wrap(module_name, class_name, function, wrapper):
+def wrap(module_name, class_name, function, wrapper):
+    """Lets `wrapper` be called, with the original first, in place of a function of FreeCAD, or of a class of it; once, and where there is one."""
     try:
         module = importlib.import_module(module_name)
     except ImportError:
