@@ -92,6 +92,13 @@ class Solve(unittest.TestCase):
         self.assertGreater(second.figures["displacement"], 1.02 * displacement)   # less material
         self.assertEqual([member for member in self.analysis.Group if "olver" in member.Name or member.Name.startswith("CalculiX")], solvers)
 
+    @unittest.skipUnless(hasattr(ObjectsFem, "makeSolverCalculiX"), "FreeCAD has one kind of CalculiX solver")
+    def test_the_solver_object_of_freecad_1_1_is_taken(self):
+        solver = ObjectsFem.makeSolverCalculiX(self.document, "SolverCalculiX")
+        self.analysis.addObject(solver)
+        self.assertGreater(api.solve(self.analysis).figures["displacement"], 0)
+        self.assertEqual([member for member in self.analysis.Group if hasattr(member, "AnalysisType")], [solver])
+
     def test_a_mesh_out_of_date_is_not_solved(self):
         self.mesh.Automatic = False
         self.document.HoleSketch.setDatum("X", 24)

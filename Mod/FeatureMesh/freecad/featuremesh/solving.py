@@ -15,7 +15,7 @@ from .errors import UserError
 from .messages import said
 
 translate = FreeCAD.Qt.translate
-_TYPE = "Fem::SolverCcxTools"
+_TYPES = ("Fem::SolverCcxTools", "Fem::SolverCalculiX")   # the second one since 1.1
 
 
 @dataclass
@@ -60,7 +60,7 @@ def _run(tools, analysis, program):
 def solver_of(analysis):
     """Its first CalculiX solver that FreeCAD's own tools can run, or a new one."""
     for member in analysis.Group:
-        if getattr(getattr(member, "Proxy", None), "Type", "") == _TYPE and not getattr(member, "Suppressed", False):
+        if getattr(getattr(member, "Proxy", None), "Type", "") in _TYPES and not getattr(member, "Suppressed", False):
             return member
     return add_solver(analysis)
 
