@@ -79,6 +79,22 @@ class NamesOfGroups(unittest.TestCase):
         self.assertEqual([cells[name] for name in ("my_side", "my_side_2", "Number_2")], [counts[name] for name in ("my side", "my_side", "Number")])
         self.assertEqual(found.point_data["my_side_Nodes_2"].sum(), counts["my_side_Nodes"])
 
+    def test_a_group_may_have_the_name_of_a_face(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        mesh = api.add_mesh(body, 8.0, 1)
+        group = ObjectsFem.makeMeshGroup(document, mesh, True)
+        group.Label, group.References = "Face1", [(body, ("Face2", "Face3"))]
+        document.recompute()
+        count = next(len(members) for name, kind, members in groups_of(mesh.FemMesh) if (name, kind) == ("Face1", "Face"))
+        with tempfile.TemporaryDirectory() as folder:
+            for ending in ("vtu", "msh"):
+                path = os.path.join(folder, "plate." + ending)
+                api.export_mesh(mesh, path)
+                found = meshio.read(path)
+                blocks = found.cell_data["Face1"] if ending == "vtu" else found.cell_sets["Face1"]
+                self.assertEqual(sum(int(np.sum(block)) if ending == "vtu" else len(block) for block in blocks if block is not None), count, ending)
+
 
 def elements_as_sets(nodes):
     return {frozenset(element) for element in np.asarray(nodes).tolist()}

@@ -3,7 +3,7 @@
 gives them and groups as (name, kind, numbers)."""
 
 import re
-from itertools import combinations
+from itertools import chain, combinations, count
 
 import numpy as np
 
@@ -52,3 +52,21 @@ def _rows_beside(elements, larger):
 def is_single_entity(name):
     """Is it the name of a group of one edge, face or solid, which every mesh has?"""
     return re.fullmatch(r"(Solid|Face|Edge)[0-9]+(_Nodes)?", name) is not None
+
+
+def is_of_that_entity(group, arrays):
+    """Has the group just the elements, or the nodes, of the edge, face or solid that it is called by? One of the user's may have that name, too."""
+    name, kind, members = group
+    if not is_single_entity(name):
+        return False
+    stem, number = re.match(r"([A-Za-z]+)([0-9]+)", name).groups()
+    elements, mids, numbers, owners = FILLING[("Solid", "Face", "Edge").index(stem)]
+    rows = arrays[owners] == int(number) - 1
+    own = np.unique(arrays["node_numbers"][connectivity(arrays, elements, mids)[rows]]) if kind == "Node" else np.sort(arrays[numbers][rows])
+    return np.array_equal(np.sort(members), own)
+
+
+def not_taken(name, taken):
+    """The name, or with a number behind it where it is taken."""
+    choices = chain([name], ("%s_%d" % (name, number) for number in count(2)))
+    return next(choice for choice in choices if choice not in taken)

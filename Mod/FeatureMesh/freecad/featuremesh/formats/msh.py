@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from . import connectivity, is_single_entity
+from . import connectivity, is_of_that_entity, not_taken
 
 _POINT = 15
 _TYPES = {(1, 2): 1, (1, 3): 8, (2, 3): 2, (2, 6): 9, (3, 4): 4, (3, 10): 11}
@@ -32,11 +32,12 @@ def write(path, arrays, groups):
     numbers = {1: arrays["segment_numbers"], 2: arrays["triangle_numbers"], 3: arrays["tet_numbers"]}
     owners = {1: arrays["segment_edges"], 2: arrays["triangle_faces"], 3: arrays["tet_solids"]}
     entities = {0: _points_of(arrays)}
+    groups = [group for group in groups if not is_of_that_entity(group, arrays)]   # the entities have these names
     for dimension, (kind, stem) in {1: ("Edge", "Edge"), 2: ("Face", "Face"), 3: ("Volume", "Solid")}.items():
         entities[dimension] = _entities_of(owners[dimension], numbers[dimension], stem,
-                                           [group for group in groups if group[1] == kind and not is_single_entity(group[0])])
+                                           [group for group in groups if group[1] == kind])
     for name, kind, members in groups:
-        if kind == "Node" and not is_single_entity(name):
+        if kind == "Node":
             _name_where_the_nodes_are(name, np.isin(arrays["node_numbers"], members), elements, entities)
     with open(path, "w", encoding="utf-8") as stream:
         stream.write("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n")
@@ -61,13 +62,13 @@ def _entities_of(owners, numbers, stem, groups):
     kinds, kind_of = np.unique(keys, axis=0, return_inverse=True)
     order = np.argsort(kind_of.reshape(-1), kind="stable")
     parts = np.split(order, np.cumsum(np.bincount(kind_of.reshape(-1)))[:-1])
-    entities, used, next_tag = [], set(), int(owners.max()) + 2
+    entities, used, next_tag, taken = [], set(), int(owners.max()) + 2, {name for name, _, _ in groups}
     for key, rows in zip(kinds, parts):
         tag = int(key[0]) + 1
         if tag in used:
             tag, next_tag = next_tag, next_tag + 1
         used.add(tag)
-        names = ["%s%d" % (stem, key[0] + 1)] + [group[0] for group, is_out in zip(groups, key[1:]) if not is_out]
+        names = [not_taken("%s%d" % (stem, key[0] + 1), taken)] + [group[0] for group, is_out in zip(groups, key[1:]) if not is_out]
         entities.append(Entity(int(key[0]), tag, rows, names))
     return entities
 

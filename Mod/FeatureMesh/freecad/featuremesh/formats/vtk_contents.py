@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What both of VTK's formats say of a mesh."""
 
-import itertools
 from dataclasses import dataclass
 
 import numpy as np
 
-from . import connectivity, is_single_entity
+from . import connectivity, is_of_that_entity, not_taken
 
 _TYPES = ({2: 3, 3: 21}, {3: 5, 6: 22}, {4: 10, 10: 24})   # by dimension and nodes per element
 
@@ -34,15 +33,7 @@ def contents_of(arrays, groups):
     entity = np.concatenate([arrays["segment_edges"], arrays["triangle_faces"], arrays["tet_solids"]]) + 1
     cell_data = [("Number", numbers), ("Dimension", dimension), ("Entity", entity.astype(np.int32))]
     point_data = [("Number", arrays["node_numbers"])]
-    for name, kind, members in groups:
-        if is_single_entity(name):
-            continue
+    for name, kind, members in (group for group in groups if not is_of_that_entity(group, arrays)):
         target, known = (point_data, arrays["node_numbers"]) if kind == "Node" else (cell_data, numbers)
-        target.append((_not_taken(name, dict(target)), np.isin(known, members).astype(np.uint8)))
+        target.append((not_taken(name, dict(target)), np.isin(known, members).astype(np.uint8)))
     return VtkContents(blocks, types, point_data, cell_data)
-
-
-def _not_taken(name, taken):
-    """The name, or with a number behind it where it is taken."""
-    choices = itertools.chain([name], ("%s_%d" % (name, number) for number in itertools.count(2)))
-    return next(choice for choice in choices if choice not in taken)
