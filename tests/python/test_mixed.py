@@ -276,3 +276,10 @@ class MixedAnalyses(unittest.TestCase):
         analysis.addObject(pressure)
         with self.assertRaisesRegex(RuntimeError, "Pressure presses on a shell beside a solid"):
             solve(analysis)
+        if hasattr(ObjectsFem, "makeSolverCalculiX"):   # which goes on whatever FreeCAD's check says
+            from femsolver.calculix.calculixtools import CalculiXTools
+            solver = ObjectsFem.makeSolverCalculiX(both.Document, "SolverCalculiX")
+            solver.WorkingDirectory = self.enterContext(tempfile.TemporaryDirectory())
+            analysis.addObject(solver)
+            with self.assertRaisesRegex(UserError, "Pressure presses on a shell beside a solid"):
+                CalculiXTools(solver).prepare()

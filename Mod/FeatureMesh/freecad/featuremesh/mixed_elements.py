@@ -14,6 +14,7 @@ from itertools import combinations
 import Fem
 import FreeCAD
 
+from .errors import UserError
 from .reading import describe
 
 translate = FreeCAD.Qt.translate
@@ -90,20 +91,28 @@ def _of_check(original, analysis, solver, mesh, member):
     message = original(analysis, solver, mesh, member)
     if mesh is None or not is_mixed(mesh.FemMesh, member):
         return message
-    for entry in member.cons_pressure:
-        for face in _named([entry], "Face"):
-            if not mesh.FemMesh.getccxVolumesByFace(face):   # FreeCAD would leave it out without a word
-                message += translate("FeatureMesh", "%s presses on a shell beside a solid, which FreeCAD cannot write for CalculiX; use a force there") \
-                    % describe(entry["Object"]) + "\n"
-                break
+    message += _lost_pressure(mesh.FemMesh, member)
     if shells_of(mesh.FemMesh, member):
         message = message.replace(_SHELLS_REFUSED, "")
     return message.replace(_BEAMS_REFUSED, "") if beams_of(mesh.FemMesh, member) else message
 
 
+def _lost_pressure(fem_mesh, member):
+    """A sentence on a pressure that FreeCAD would leave out without a word, or ""."""
+    for entry in member.cons_pressure:
+        if not all(fem_mesh.getccxVolumesByFace(face) for face in _named([entry], "Face")):
+            return translate("FeatureMesh", "%s presses on a shell beside a solid, which FreeCAD cannot write for CalculiX; use a force there") \
+                % describe(entry["Object"]) + "\n"
+    return ""
+
+
 def _of_sets(original, getter, *rest):
-    """FreeCAD searches these tables, where it has them, for the elements of each thickness and beam section."""
+    """FreeCAD searches these tables, where it has them, for the elements of each thickness and beam section. The solver object of 1.1 does not listen to
+    the check."""
     if is_mixed(getter.femmesh, getter.member):
+        lost = _lost_pressure(getter.femmesh, getter.member)
+        if lost:
+            raise UserError(lost.strip())
         getter.femelement_faces_table = shells_of(getter.femmesh, getter.member)
         getter.femelement_edges_table = beams_of(getter.femmesh, getter.member)
     return original(getter, *rest)
