@@ -281,5 +281,6 @@ class MixedAnalyses(unittest.TestCase):
             solver = ObjectsFem.makeSolverCalculiX(both.Document, "SolverCalculiX")
             solver.WorkingDirectory = self.enterContext(tempfile.TemporaryDirectory())
             analysis.addObject(solver)
+            both.Document.removeObject("Load")   # it refers to nothing
             with self.assertRaisesRegex(UserError, "Pressure presses on a shell beside a solid"):
                 CalculiXTools(solver).prepare()
