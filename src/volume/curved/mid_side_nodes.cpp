@@ -145,6 +145,7 @@ struct Curved {
     std::vector<TetId> low, folded;  ///< below the target, and those of them that are no valid elements
     double smallest = 1;             ///< scaled Jacobian
     std::vector<bool> is_movable;    ///< by node
+    std::vector<Vec3> placed;        ///< where the nodes were at first
 };
 
 /// Gives the mesh its mid-side nodes; which nodes are new.
@@ -168,7 +169,8 @@ Curved curve(const Brep& brep, const Projector& projector, Mesh mesh, const Mesh
             is_movable[n] = mesh.node_numbers[n] >= kept->next_node_number;
     std::vector<bool> is_new = place_mid_side_nodes(brep, mesh, kept, context);
     std::copy(is_movable.begin(), is_movable.end(), is_new.begin());
-    Curved result{std::move(mesh), {}, {}, 1, std::move(is_new)};
+    Curved result{std::move(mesh), {}, {}, 1, std::move(is_new), {}};
+    result.placed = result.mesh.points;
     result.low = unfold_tets(result.mesh, projector, result.is_movable,
                              {wanted_scaled_jacobian, brep.tolerances().least_volume()}, context);
     for (const TetId t : result.low) {
@@ -249,8 +251,8 @@ SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunC
         if (curved.low.empty()) return {std::move(curved.mesh), {}, {}, 1};
         if (refinement == 0 && !curved.folded.empty()) {
             if (!kept) failed.straight = straighten(brep, curved.mesh, {curved.folded, {}}, context);
-            Mesh placed = mesh;
-            place_mid_side_nodes(brep, placed, kept, context);
+            Mesh placed = curved.mesh;
+            placed.points = std::move(curved.placed);
             if (BentWalls walls = find_bent_walls(brep, projector, placed, counts.tets, context);
                 !walls.lengths.empty())
                 return {{}, std::move(walls.lengths), place_of(placed, walls.place), 0, std::move(failed.straight)};
