@@ -344,8 +344,10 @@ std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std
     for (const Aim aim : {Aim::smallest_bound, Aim::sum_of_shortfalls, Aim::smallest_bound}) {
         for (int pass = 0; pass < most_passes && !bad.found().empty(); ++pass) {
             context.check_cancelled();
+            const std::size_t before = bad.found().size();
             if (!unfolding.pass(bad.found(), aim)) break;
             bad.look_again(tets_at);
+            if (bad.found().size() > std::max(most_together, before)) break;
         }
         if (bad.found().empty() || bad.found().size() > most_together) break;
         descend(mesh, tets_at, projector, is_movable, bad.found(), {target + 0.05, aims.least_volume}, context);
