@@ -20,7 +20,8 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double size_change_that_releases = 1.2;
+constexpr double size_change_that_releases = 1.2;    // by an edit of the part
+constexpr double change_asked_that_releases = 1.01;  // by the user, who wants to see it
 constexpr double clearance_between_motions = 1.5;  // edge lengths
 constexpr double active_margin = 0.6;              // edge lengths
 constexpr double same_size = 1e-9;                 // relative
@@ -162,8 +163,9 @@ class Keeper {
         return remembered ? *remembered : in_.old_sizing.at(in_.old_mesh.points[n]);
     }
 
-    static bool size_changed(double was, double wanted) {
-        return std::max(was / wanted, wanted / was) > size_change_that_releases;
+    bool size_changed(double was, double wanted) const {
+        return std::max(was / wanted, wanted / was) >
+               (in_.same_sizes_asked ? size_change_that_releases : change_asked_that_releases);
     }
 
     // Away from everything that changed neither sizes nor distances need to be asked for.

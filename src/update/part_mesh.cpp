@@ -189,9 +189,8 @@ void check_ignored(const MeshOptions& options) {
 /// Why nothing of the old mesh can be kept, if nothing can.
 Message reason_for_full_mesh(const PartMesh& old, const MeshOptions& options) {
     if (old.options.order != options.order) return say<Code::order_changed>();
-    const double ratio = options.sizing.size / old.options.sizing.size;
     if (!ignore_the_same(old.options, options)) return say<Code::other_details_ignored>();
-    if (std::max(ratio, 1 / ratio) > 1.2) return say<Code::global_size_changed>();
+    if (options.sizing.size != old.options.sizing.size) return say<Code::global_size_changed>();
     if (options.sizing.elements_across_gap >= elements_that_bend &&
         old.options.sizing.elements_across_gap < elements_that_bend)
         return say<Code::walls_not_spanned>();

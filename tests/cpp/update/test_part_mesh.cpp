@@ -250,10 +250,13 @@ TEST_CASE("start positions are told only where they were of use") {
 
 TEST_CASE("another size or order means a full mesh, and the report says so") {
     const auto old = meshed(plate_with_hole(15), options_of(3)).part_mesh;
-    const auto finer = updated(*old, plate_with_hole(15), options_of(2));
-    CHECK(finer.report.kept_nodes_share == 0);
-    REQUIRE(finer.report.fallbacks.size() == 1);
-    CHECK_THAT(finer.report.fallbacks[0].in_english(), Catch::Matchers::Contains("size"));
+    for (const double size : {2.0, 2.9}) {
+        const auto finer = updated(*old, plate_with_hole(15), options_of(size));
+        CHECK(finer.report.kept_nodes_share == 0);
+        REQUIRE(finer.report.fallbacks.size() == 1);
+        CHECK_THAT(finer.report.fallbacks[0].in_english(), Catch::Matchers::Contains("size"));
+        CHECK(finer.report.tets > old->mesh.tets.size());
+    }
     const auto curved = updated(*old, plate_with_hole(15), options_of(3, 2));
     CHECK_THAT(curved.report.fallbacks.at(0).in_english(), Catch::Matchers::Contains("order"));
     check_valid(*curved.part_mesh);

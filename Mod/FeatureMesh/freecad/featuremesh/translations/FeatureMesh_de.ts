@@ -3461,8 +3461,8 @@
       <translation>die Datei ist kein Zustand von FeatureMesh</translation>
     </message>
     <message>
-      <source>the global size changed by more than 1.2 times</source>
-      <translation>die globale Größe hat sich um mehr als das 1,2-Fache geändert</translation>
+      <source>the size changed</source>
+      <translation>die Größe hat sich geändert</translation>
     </message>
     <message>
       <source>the inside</source>
