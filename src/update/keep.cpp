@@ -22,10 +22,10 @@ namespace {
 
 constexpr double size_change_that_releases = 1.2;    // by an edit of the part
 constexpr double change_asked_that_releases = 1.01;  // by the user, who wants to see it
-constexpr double clearance_between_motions = 1.5;  // edge lengths
-constexpr double active_margin = 0.6;              // edge lengths
-constexpr double same_size = 1e-9;                 // relative
-constexpr char stays_for_surface = 2;              // in near_change_
+constexpr double clearance_between_motions = 1.5;    // edge lengths
+constexpr double active_margin = 0.6;                // edge lengths
+constexpr double same_size = 1e-9;                   // relative
+constexpr char stays_for_surface = 2;                // in near_change_
 
 /// Edge lengths that were asked for at a node under its motion, mm; 0 where nobody asked.
 struct AskedSizes {
