@@ -20,12 +20,11 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double size_change_that_releases = 1.2;    // by an edit of the part
-constexpr double change_asked_that_releases = 1.01;  // by the user, who wants to see it
-constexpr double clearance_between_motions = 1.5;    // edge lengths
-constexpr double active_margin = 0.6;                // edge lengths
-constexpr double same_size = 1e-9;                   // relative
-constexpr char stays_for_surface = 2;                // in near_change_
+constexpr double size_change_that_releases = 1.2;
+constexpr double clearance_between_motions = 1.5;  // edge lengths
+constexpr double active_margin = 0.6;              // edge lengths
+constexpr double same_size = 1e-9;                 // relative
+constexpr char stays_for_surface = 2;              // in near_change_
 
 /// Edge lengths that were asked for at a node under its motion, mm; 0 where nobody asked.
 struct AskedSizes {
@@ -163,9 +162,8 @@ class Keeper {
         return remembered ? *remembered : in_.old_sizing.at(in_.old_mesh.points[n]);
     }
 
-    bool size_changed(double was, double wanted) const {
-        return std::max(was / wanted, wanted / was) >
-               (in_.same_sizes_asked ? size_change_that_releases : change_asked_that_releases);
+    static bool size_changed(double was, double wanted) {
+        return std::max(was / wanted, wanted / was) > size_change_that_releases;
     }
 
     // Away from everything that changed neither sizes nor distances need to be asked for.
