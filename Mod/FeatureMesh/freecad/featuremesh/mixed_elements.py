@@ -7,8 +7,6 @@ search for sets, and the writing. Shells are the triangles of no tetrahedron, an
 are likewise the segments of no other element, and those on the edges that a beam section names.
 """
 
-import functools
-import importlib
 from itertools import combinations
 
 import Fem
@@ -16,12 +14,12 @@ import FreeCAD
 
 from .errors import UserError
 from .reading import describe
+from .wrapping import wrap
 
 translate = FreeCAD.Qt.translate
 # What the check says of a mesh with solids, in all versions.
 _SHELLS_REFUSED = "Shell thicknesses defined but FEM mesh has volume elements.\n"
 _BEAMS_REFUSED = "Beam sections defined but FEM mesh has volume or shell elements.\n"
-_MARK = "is_wrapped_by_featuremesh"
 
 
 def install():
@@ -69,22 +67,6 @@ def _named(objects, kind):
     """The faces or edges that the objects refer to."""
     return [part.Shape.getElement(name) for entry in objects for part, names in entry["Object"].References
             for name in ((names,) if isinstance(names, str) else names) if name.startswith(kind)]
-
-
-def wrap(module_name, class_name, function, wrapper):
-    """Lets `wrapper` be called, with the original first, in place of a function of FreeCAD, or of a class of it; once, and where there is one."""
-    try:
-        module = importlib.import_module(module_name)
-    except ImportError:
-        return
-    owner = getattr(module, class_name, None) if class_name else module
-    original = getattr(owner, function, None)
-    if original is None or hasattr(original, _MARK):
-        return
-    wrapped = functools.wraps(original)(functools.partial(wrapper, original) if class_name is None
-                                        else lambda self, *rest: wrapper(original, self, *rest))
-    setattr(wrapped, _MARK, True)
-    setattr(owner, function, wrapped)
 
 
 def _of_check(original, analysis, solver, mesh, member):

@@ -7,7 +7,7 @@ of the part, which CalculiX then moves or refuses.
 
 from types import SimpleNamespace
 
-from .mixed_elements import wrap
+from .wrapping import wrap
 
 
 def install():
