@@ -7,6 +7,7 @@
 #include "core/errors.h"
 #include "core/messages.h"
 #include "statics/coarse_level.h"
+#include "statics/node_order.h"
 #include "statics/rigid_balance.h"
 
 namespace featuremesh {
@@ -118,6 +119,15 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
     check(model);
     if (!solver_) solver_ = make_linear_solver();
     solver_->use_threads(context.threads);
+    const OrderedModel ordered(model);
+    StaticsSolution solution = solve_ordered(ordered.model(), context);
+    solution.displacements = ordered.as_given(solution.displacements);
+    solution.reactions = ordered.as_given(solution.reactions);
+    solution.stresses = ordered.as_given(solution.stresses);
+    return solution;
+}
+
+StaticsSolution StaticsSolver::solve_ordered(const StaticsModel& model, RunContext& context) {
     const TetsOfNodes around = tets_of_nodes(model.mesh);
     StaticsSolution solution;
     solution.kept_preconditioner = prepare(model, around, context);

@@ -79,6 +79,7 @@ class StaticsSolver {
         double least_energy_norm;      ///< of what balances all of them; 0 where nothing is known
     };
 
+    StaticsSolution solve_ordered(const StaticsModel& model, RunContext& context);
     std::vector<std::int32_t> origins(const StaticsModel& model) const;
     bool goes_by_corners(const StaticsModel& model) const;
     void remember_nodes(const StaticsModel& model);
