@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <numeric>
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 namespace featuremesh {
 
@@ -11,8 +14,7 @@ namespace {
 constexpr std::size_t grain = 4096;  // blocks' rows
 constexpr std::size_t lanes = 4;     // numbers that are multiplied at a time
 
-// Vectors of GCC and Clang; a machine without such registers does the same sums in the same order by parts.
-typedef float Rounded __attribute__((vector_size(4 * lanes), aligned(4), may_alias));
+// A vector of GCC and Clang; a machine without such registers does the same sums in the same order by parts.
 typedef double Sums __attribute__((vector_size(8 * lanes)));
 
 struct Rows {
@@ -24,8 +26,8 @@ struct Rows {
 };
 
 /// A column that does not fill its vectors is read beyond its end, and what comes of that is left out.
-template <std::size_t height, std::size_t across>
-[[gnu::always_inline]] inline void multiply_rows(const Rows& rows, std::size_t begin, std::size_t end) {
+template <std::size_t height, std::size_t across, class Read>
+[[gnu::always_inline]] inline void multiply_rows(const Rows& rows, std::size_t begin, std::size_t end, Read read) {
     constexpr std::size_t vectors = (height + lanes - 1) / lanes;
     for (std::size_t i = begin; i < end; ++i) {
         const std::size_t row = rows.order ? std::size_t(rows.order[i]) : i;
@@ -35,8 +37,9 @@ template <std::size_t height, std::size_t across>
             const double* u = rows.x + across * std::size_t(rows.columns[k]);
             for (std::size_t c = 0; c < across; ++c)
                 for (std::size_t v = 0; v < vectors; ++v) {
-                    const Rounded& column = *reinterpret_cast<const Rounded*>(block + height * c + lanes * v);
-                    sums[v][c % 3] += __builtin_convertvector(column, Sums) * u[c];
+                    Sums column;
+                    read(block + height * c + lanes * v, column);
+                    sums[v][c % 3] += column * u[c];
                 }
         }
         for (std::size_t r = 0; r < height; ++r) {
@@ -46,22 +49,29 @@ template <std::size_t height, std::size_t across>
     }
 }
 
+template <class Read>
 [[gnu::always_inline]] inline void multiply_blocks(std::size_t height, std::size_t across, const Rows& rows,
-                                                   std::size_t begin, std::size_t end) {
+                                                   std::size_t begin, std::size_t end, Read read) {
     if (height == 3)
-        across == 3 ? multiply_rows<3, 3>(rows, begin, end) : multiply_rows<3, 6>(rows, begin, end);
+        across == 3 ? multiply_rows<3, 3>(rows, begin, end, read) : multiply_rows<3, 6>(rows, begin, end, read);
     else
-        across == 3 ? multiply_rows<6, 3>(rows, begin, end) : multiply_rows<6, 6>(rows, begin, end);
+        across == 3 ? multiply_rows<6, 3>(rows, begin, end, read) : multiply_rows<6, 6>(rows, begin, end, read);
 }
 
 void multiply_anywhere(std::size_t height, std::size_t across, const Rows& rows, std::size_t begin, std::size_t end) {
-    multiply_blocks(height, across, rows, begin, end);
+    multiply_blocks(height, across, rows, begin, end, [](const float* from, Sums& to) {
+        to = Sums{double(from[0]), double(from[1]), double(from[2]), double(from[3])};
+    });
 }
 
 #if defined(__x86_64__)
+/// The compilers convert by parts what is not said so.
 [[gnu::target("avx2")]] void multiply_by_avx2(std::size_t height, std::size_t across, const Rows& rows,
                                               std::size_t begin, std::size_t end) {
-    multiply_blocks(height, across, rows, begin, end);
+    const auto read = [](const float* from, Sums& to) __attribute__((target("avx2"))) {
+        to = _mm256_cvtps_pd(_mm_loadu_ps(from));
+    };
+    multiply_blocks(height, across, rows, begin, end, read);
 }
 const bool has_avx2 = __builtin_cpu_supports("avx2");
 #endif
