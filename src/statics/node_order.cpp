@@ -7,6 +7,9 @@
 
 #include <numeric>
 
+#include "core/geometry.h"
+#include "core/ids.h"
+
 namespace featuremesh {
 
 namespace {

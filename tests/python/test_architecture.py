@@ -17,7 +17,7 @@ ORDER = ["core", "brep", "mesh", "sizing", "surface", "volume", "features", "cel
 # Which modules know which library, and which of these may show it in their headers.
 KNOW_OCCT = {"brep", "sizing", "surface", "features", "cells", "difference", "update"}
 SHOW_OCCT = {"brep", "features", "cells", "difference", "update"}
-KNOW_CGAL = {"surface", "volume"}
+KNOW_CGAL = {"statics", "surface", "volume"}
 NAME = re.compile(r"[A-Za-z_]\w*")
 KERNEL_NAMES = ("BOP", "BRep", "Geom_", "Message_")
 WINDOW_FILES = {"init_gui.py", "live_view.py", "view_provider.py", "element_view.py", "study_view.py", "zone_view.py", "assembled_view.py"}
