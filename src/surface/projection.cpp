@@ -321,6 +321,11 @@ Vec3 Projector::on_face(FaceId face, std::array<double, 2> uv) const {
     return to_vec3(data_->surface(face).adaptor.Value(uv[0], uv[1]));
 }
 
+std::array<double, 2> Projector::half_way(FaceId face, std::array<double, 2> from, std::array<double, 2> to) const {
+    const Uv end = in_period(data_->surface(face), to, from);
+    return {0.5 * (from[0] + end[0]), 0.5 * (from[1] + end[1])};
+}
+
 OnEdge Projector::nearest(EdgeId edge, const Vec3& p, std::optional<double> guess) const {
     const CurveData& c = data_->curve(edge);
     if (c.adaptor.GetType() == GeomAbs_Line)

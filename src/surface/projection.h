@@ -46,6 +46,8 @@ class Projector {
     /// Unit tangent; zero where the edge has none.
     Vec3 tangent(EdgeId edge, double t) const;
     Vec3 on_face(FaceId face, std::array<double, 2> uv) const;
+    /// The parameters half way between two, the shorter way round.
+    std::array<double, 2> half_way(FaceId face, std::array<double, 2> from, std::array<double, 2> to) const;
     /// Nearest point of the trimmed edge; `guess` starts a Newton iteration that falls back to the global search.
     OnEdge nearest(EdgeId edge, const Vec3& p, std::optional<double> guess = {}) const;
     /// Nearest point of the face's surface; with a guess by Newton, else globally. Does not look at the trim.

@@ -61,21 +61,31 @@ std::optional<std::array<double, 2>> start_parameters(const Mesh& mesh, std::siz
     return std::nullopt;
 }
 
+/// Parameters half way along a side with both ends inside the face.
+std::optional<std::array<double, 2>> half_way(const Mesh& mesh, NodeId a, NodeId b, const Projector& projector,
+                                              FaceId face) {
+    if (mesh.entities[a.index()] != entity_of(face) || mesh.entities[b.index()] != entity_of(face)) return std::nullopt;
+    return projector.half_way(face, mesh.parameters[a.index()], mesh.parameters[b.index()]);
+}
+
 /// The point of the face nearest to the middle of a side. Where the face bends so much that this point is towards one
 /// end of the side, the point of the face as far from one end as from the other.
-OnFace above_middle(const Projector& projector, FaceId face, const Vec3& a, const Vec3& b,
+OnFace above_middle(const Projector& projector, FaceId face, const Mesh& mesh, std::array<NodeId, 2> side,
                     const std::optional<std::array<double, 2>>& start) {
     constexpr double most_slide = 0.05, enough = 0.01;
     constexpr int most_steps = 20;
+    const Vec3 &a = mesh.point(side[0]), &b = mesh.point(side[1]);
     const Vec3 middle = 0.5 * (a + b), along = b - a;
     const auto slide_of = [&](const OnFace& on) { return dot(on.point - middle, along) / squared_length(along); };
     OnFace best = projector.nearest(face, middle, start);
     if (std::abs(slide_of(best)) < most_slide) return best;
     // Newton's steps from one end may have gone astray
-    if (const OnFace global = projector.nearest(face, middle); global.distance < best.distance) best = global;
-    OnFace on = best;
+    const auto between = half_way(mesh, side[0], side[1], projector, face);
+    if (const OnFace other = projector.nearest(face, middle, between); other.distance < best.distance) best = other;
     double least = slide_of(best);
     if (std::abs(least) < most_slide) return best;
+    OnFace on = best;
+    if (between) on = {projector.on_face(face, *between), *between};
     for (int step = 0; step < most_steps && std::abs(least) > enough; ++step) {
         on = projector.nearest(face, on.point - slide_of(on) * along, on.uv);
         if (std::abs(slide_of(on)) < std::abs(least)) best = on, least = slide_of(on);
@@ -108,8 +118,8 @@ void place_on_faces(const Brep& brep, const std::vector<bool>& is_new, Mesh& mes
             const auto& [i, s] = sides[k];
             const auto& corners = mesh.triangles[i];
             const std::size_t mid = mesh.triangle_mids[i][s].index();
-            const OnFace on = above_middle(projector, mesh.triangle_faces[i], mesh.point(corners[s]),
-                                           mesh.point(corners[(s + 1) % 3]), start_parameters(mesh, i));
+            const OnFace on = above_middle(projector, mesh.triangle_faces[i], mesh, {corners[s], corners[(s + 1) % 3]},
+                                           start_parameters(mesh, i));
             mesh.points[mid] = on.point;
             mesh.parameters[mid] = on.uv;
         }

@@ -92,6 +92,25 @@ TEST_CASE("steps beside a pole stay near the face's period") {
     CHECK(projector.is_inside_trim(face, {-3e13, 1.5}));
 }
 
+TEST_CASE("half way between two points of a closed face is the shorter way round") {
+    const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
+    const Projector projector(brep);
+    const FaceId side(0);
+    const auto between = [&](double from, double to) {
+        return projector.on_face(side, projector.half_way(side, {from, 3}, {to, 5}));
+    };
+    const double turn = 2 * std::acos(-1.0);
+    for (const auto& [from, to] : {std::pair{0.2, 0.8}, {0.9, 0.1}, {0.3, turn - 0.1}, {turn - 0.4, 0.2}}) {
+        INFO(from << " to " << to);
+        const double chord = 2 * 10 * std::sin(0.25 * std::abs(std::remainder(to - from, turn)));
+        for (const double end : {from, to}) {
+            const Vec3 at = projector.on_face(side, {end, 4});
+            CHECK(distance(between(from, to), at) == Approx(chord));
+        }
+        CHECK(between(from, to).z == Approx(4));
+    }
+}
+
 TEST_CASE("the nearest point of an edge is within the edge") {
     const NamedShape box = named_shapes().front();
     const Brep brep(box.shape);

@@ -97,6 +97,13 @@ TopoDS_Shape block_with_hairpin() {
     return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 20)).Shape();
 }
 
+/// The wall between bore and side is as thick as said.
+TopoDS_Shape box_with_bore(double wall) {
+    const gp_Ax2 up(gp_Pnt(20, 5 + wall, -5), gp::DZ());
+    return BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(40, 30, 20).Shape(), BRepPrimAPI_MakeCylinder(up, 5, 40).Shape())
+        .Shape();
+}
+
 /// A ring as wide as nobody sees: its two circles are joined by tets as thin as it is.
 TopoDS_Shape shaft_with_step(double height) {
     return BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(10, 20).Shape(), BRepPrimAPI_MakeCylinder(10 + height, 8).Shape())
@@ -190,9 +197,12 @@ TEST_CASE("coarse 10-node meshes of strongly curved parts are unfolded and on th
 }
 
 TEST_CASE("where the tets are valid, but miss the aim, shorter edges are asked for at the place") {
-    const Brep brep(block_with_hairpin());
     RunContext context;
-    const SecondOrder result = try_second_order(brep, straight_mesh(brep, 4.7824, context), nullptr, context);
+    const auto of_wall = [&](double thickness) {
+        const Brep brep(box_with_bore(thickness));
+        return try_second_order(brep, straight_mesh(brep, 3, context), nullptr, context);
+    };
+    const SecondOrder result = of_wall(0.02);
     REQUIRE(result.is_valid());
     const double smallest = measure_quality(result.mesh).min_scaled_jacobian;
     CHECK(smallest < 0.19);
@@ -200,16 +210,13 @@ TEST_CASE("where the tets are valid, but miss the aim, shorter edges are asked f
     CHECK(!result.shorter.empty());
     REQUIRE(result.place.size() == 1);
     CHECK(result.place[0].dim == 2);
-    const SecondOrder good = try_second_order(brep, straight_mesh(brep, 10, context), nullptr, context);
+    const SecondOrder good = of_wall(0.12);
     CHECK(good.is_valid());
     CHECK(good.shorter.empty());
 }
 
 TEST_CASE("where elements stay folded, a valid mesh has straight sides there, which alone are off the part") {
-    // the wall between bore and side is 0.0005 thick
-    const gp_Ax2 up(gp_Pnt(20, 5.0005, -5), gp::DZ());
-    const Brep brep(
-        BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(40, 30, 20).Shape(), BRepPrimAPI_MakeCylinder(up, 5, 40).Shape()).Shape());
+    const Brep brep(box_with_bore(0.0005));
     RunContext context;
     const SecondOrder result = try_second_order(brep, straight_mesh(brep, 3, context), nullptr, context);
     REQUIRE_FALSE(result.is_valid());
