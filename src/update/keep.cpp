@@ -20,14 +20,14 @@ namespace featuremesh {
 
 namespace {
 
-constexpr double size_change_that_releases = 1.2;
+constexpr double size_change_that_releases = 1.2, asked_change_that_releases = 1.01;
 constexpr double clearance_between_motions = 1.5;  // edge lengths
 constexpr double active_margin = 0.6;              // edge lengths
 constexpr double same_size = 1e-9;                 // relative
 constexpr char stays_for_surface = 2;              // in near_change_
 
 /// Edge lengths that were asked for at a node under its motion, mm; 0 where nobody asked.
-struct AskedSizes {
+struct SizesAtNode {
     double was = 0, wanted = 0;
     bool is_carried = false;  ///< by another motion than the identity
 };
@@ -162,8 +162,10 @@ class Keeper {
         return remembered ? *remembered : in_.old_sizing.at(in_.old_mesh.points[n]);
     }
 
-    static bool size_changed(double was, double wanted) {
-        return std::max(was / wanted, wanted / was) > size_change_that_releases;
+    bool size_changed(double was, double wanted) const {
+        const double most =
+            in_.asked == AskedSizes::other_lengths ? asked_change_that_releases : size_change_that_releases;
+        return std::max(was / wanted, wanted / was) > most;
     }
 
     // Away from everything that changed neither sizes nor distances need to be asked for.
@@ -201,7 +203,7 @@ class Keeper {
     }
 
     void drop(std::size_t n, bool is_resized) {
-        if (is_untouched(n) && (in_.same_sizes_asked || !is_resized))
+        if (is_untouched(n) && (in_.asked == AskedSizes::same || !is_resized))
             near_change_[n] = 1;
         else
             motions_[n] = dropped, is_resized_[n] = is_resized;
@@ -323,7 +325,7 @@ class Keeper {
     void remember_sizes(Kept& kept) const {
         for (std::size_t k = 0; k < kept.node_origin.size(); ++k) {
             const auto n = std::size_t(kept.node_origin[k]);
-            const AskedSizes& asked = asked_[n];
+            const SizesAtNode& asked = asked_[n];
             const double was = asked.was > 0 ? asked.was : in_.made_for.of(NodeId(n)).value_or(0);
             if (was == 0) continue;
             const double wanted = asked.wanted > 0 ? asked.wanted : in_.new_sizing.at(nodes_.at(n));
@@ -339,7 +341,7 @@ class Keeper {
             watch();
             if (tets.has_kept_tet(n) || in_.old_mesh.entities[n].dim != 3) continue;
             const Vec3& p = in_.old_mesh.points[n];
-            const AskedSizes asked = asked_[n].is_carried ? AskedSizes{} : asked_[n];
+            const SizesAtNode asked = asked_[n].is_carried ? SizesAtNode{} : asked_[n];
             const double wanted = asked.wanted > 0 ? asked.wanted : in_.new_sizing.at(p);
             if (!nodes_.regions()[0].changed.is_within(active_margin * wanted, p) &&
                 !size_changed(asked.was > 0 ? asked.was : made_for(n), wanted))
@@ -357,13 +359,25 @@ class Keeper {
     std::vector<char> has_tet_;             // by old node; only where there are free faces or edges
     // By old node: the motion of the untouched solid, face or edge that it is of; empty where there is none.
     std::vector<std::int32_t> untouched_under_;
-    std::vector<char> near_change_;  // likewise: and it stays for those tets only, or for the triangles of surfaces
-    std::vector<char> is_resized_;   // by old node: it goes, since another size is wanted
-    std::vector<AskedSizes> asked_;  // by old node
+    std::vector<char> near_change_;   // likewise: and it stays for those tets only, or for the triangles of surfaces
+    std::vector<char> is_resized_;    // by old node: it goes, since another size is wanted
+    std::vector<SizesAtNode> asked_;  // by old node
     KeptSurfaces surfaces_;
 };
 
 }  // namespace
+
+AskedSizes compare_asked_sizes(const SizingOptions& before, const SizingOptions& now) {
+    if (before == now) return AskedSizes::same;
+    const auto without_entities = [](SizingOptions options) {
+        for (LocalSize& local : options.local) local.entity = {};
+        const auto by_size = [](const LocalSize& a, const LocalSize& b) { return a.size < b.size; };
+        std::sort(options.local.begin(), options.local.end(), by_size);
+        options.local.erase(std::unique(options.local.begin(), options.local.end()), options.local.end());
+        return options;
+    };
+    return without_entities(before) == without_entities(now) ? AskedSizes::same_lengths : AskedSizes::other_lengths;
+}
 
 Kept keep(const KeepInput& input, RunContext& context) {
     RunContext::Step step(context, "keep");

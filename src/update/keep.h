@@ -19,6 +19,14 @@
 
 namespace featuremesh {
 
+/// How what the user asks for compares with what he asked for before.
+enum class AskedSizes {
+    same,
+    same_lengths,  ///< at other entities, or at those of other numbers
+    other_lengths,
+};
+AskedSizes compare_asked_sizes(const SizingOptions& before, const SizingOptions& now);
+
 struct KeepInput {
     const Mesh& old_mesh;
     const Brep& old_brep;
@@ -26,10 +34,10 @@ struct KeepInput {
     const FeatureDifference& difference;
     const SizingField& old_sizing;
     const SizingField& new_sizing;
-    const MadeFor& made_for;       ///< of the old mesh's nodes
-    double margin;                 ///< edge lengths between a kept node and the changed boundary
-    bool same_sizes_asked = true;  ///< the user asks for the same sizes as before
-    double ignored_below = 0;      ///< mm, as in MeshOptions
+    const MadeFor& made_for;  ///< of the old mesh's nodes
+    double margin;            ///< edge lengths between a kept node and the changed boundary
+    AskedSizes asked = AskedSizes::same;
+    double ignored_below = 0;  ///< mm, as in MeshOptions
 };
 
 struct Kept {
@@ -48,11 +56,12 @@ struct Kept {
 };
 
 /// A node stays under a motion when it is further from that motion's changed boundary than `margin` edge lengths, the
-/// wanted size there is within a factor of 1.2 of the one it was made for, and it is verified to lie on its entity of
-/// the new shape. Tets stay when their four nodes do, under one motion, and when their connected region is verified to
-/// be inside a new solid; but where nodes go for their size, inner ones beside them that would keep few of their tets
-/// keep none. Of what changed only that on its own underlying surface counts for a triangle, so that it may stay
-/// without its tet. A solid whose faces are all as they were keeps its mesh, whatever happens in a solid beside it.
+/// wanted size there is within a factor of 1.2 (1.01 where the user asks for other lengths) of the one it was made for,
+/// and it is verified to lie on its entity of the new shape. Tets stay when their four nodes do, under one motion, and
+/// when their connected region is verified to be inside a new solid; but where nodes go for their size, inner ones
+/// beside them that would keep few of their tets keep none. Of what changed only that on its own underlying surface
+/// counts for a triangle, so that it may stay without its tet. A solid whose faces are all as they were keeps its mesh,
+/// whatever happens in a solid beside it.
 Kept keep(const KeepInput& input, RunContext& context);
 
 }  // namespace featuremesh

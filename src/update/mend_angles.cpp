@@ -251,9 +251,17 @@ class AngleMender {
     Kept kept_beside(const std::vector<Place>& places, const SizingField& shorter) const {
         const FeatureDifference difference = nothing_but(changed_at(brep_, whole_.mesh, places), brep_);
         const double margin = margin_of_first_try * double(1 + tries(places.front()));
-        return keep(
-            {whole_.mesh, brep_, brep_, difference, *field_, shorter, {}, margin, false, options_.ignored_below},
-            context_);
+        return keep({whole_.mesh,
+                     brep_,
+                     brep_,
+                     difference,
+                     *field_,
+                     shorter,
+                     {},
+                     margin,
+                     AskedSizes::same_lengths,
+                     options_.ignored_below},
+                    context_);
     }
 
     /// Notes where nothing was gained.

@@ -305,9 +305,10 @@ class Stages {
         for (const double margin : {smallest_margin, 2 * smallest_margin}) {
             Message why;
             const bool is_kept = attempt(why, [&] {
-                kept_ = keep({old.mesh, old.part.brep, part_->brep, report_.difference, old.sizing, *sizing_,
-                              old.made_for, margin, old.options.sizing == options_.sizing, options_.ignored_below},
-                             context_);
+                kept_ =
+                    keep({old.mesh, old.part.brep, part_->brep, report_.difference, old.sizing, *sizing_, old.made_for,
+                          margin, compare_asked_sizes(old.options.sizing, options_.sizing), options_.ignored_below},
+                         context_);
             });
             if (is_kept) {
                 const double share = share_to_fill(kept_, old.mesh, dimension());
