@@ -321,7 +321,7 @@ TEST_CASE("another local size releases what was made for the one before, however
     }
 }
 
-TEST_CASE("the same local size at a face of another number releases nothing") {
+TEST_CASE("the same lengths at faces of other numbers are no other wish") {
     SizingOptions before;
     before.size = 3;
     before.local = {{entity_of(FaceId(2)), 1}, {entity_of(FaceId(4)), 2}, {entity_of(FaceId(5)), 2}};
