@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/geometry.h"
+#include "volume/tets/flatness_of_four.h"
 #include "volume/tets/tet_complex.h"
 #include "volume/tets/tet_measures.h"
 
@@ -75,6 +76,8 @@ class Objective {
         return all < least_flatness_of_needle || all > 1 ? all : unforced_flatness(all, corners, is_on_boundary);
     }
     double flaw(const TetComplex& complex, const std::array<int, 4>& tet) const;
+    /// Those whose flaw is their flatness, wherever they are.
+    PlainTets plain_tets() const { return {options_.least_volume, least_share, least_flatness_of_needle}; }
     bool is_barred(const std::array<int, 4>& tet) const { return options_.is_barred && options_.is_barred(tet); }
     /// The tet is a needle whose worst angle is forced.
     bool is_excused(const TetComplex& complex, const std::array<int, 4>& tet) const;

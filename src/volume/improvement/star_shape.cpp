@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "volume/improvement/star_shape.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "volume/tets/tet_topology.h"
@@ -21,6 +22,13 @@ const std::vector<Vec3>& directions_in_space() {
     return fibonacci_lattice;
 }
 
+void StarShape::add(const Vec3& a, const Vec3& b, const Vec3& c, const std::array<bool, 3>& is_on_boundary) {
+    const std::size_t lane = faces_.size() % FourTriangles::count;
+    faces_.push_back({{a, b, c}, is_on_boundary});
+    if (lane == 0) fours_.emplace_back();
+    for (std::size_t i = lane; i < FourTriangles::count; ++i) fours_.back().set(i, faces_.back());
+}
+
 void StarShape::gather(const TetComplex& complex, std::span<const int> star, int vertex) {
     const auto is_outside = [&](int v) { return is_on_boundary(complex.mobility[static_cast<std::size_t>(v)]); };
     clear(is_outside(vertex));
@@ -33,16 +41,26 @@ void StarShape::gather(const TetComplex& complex, std::span<const int> star, int
 }
 
 double StarShape::worst(const Vec3& point, double limit) const {
+    const PlainTets plain = objective_.plain_tets();
     double result = 0;
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-        const double flaw = flaw_at(point, faces_[i]);
-        if (flaw <= result) continue;
-        result = flaw;
-        if (flaw < limit) continue;
-        if (i > 0) std::swap(faces_[i], faces_[0]);
-        return flaw;
+    for (std::size_t begin = 0; begin < faces_.size(); begin += FourTriangles::count) {
+        const auto flatness = flatness_of_four(point, fours_[begin / FourTriangles::count], plain);
+        const std::size_t end = std::min(begin + FourTriangles::count, faces_.size());
+        for (std::size_t i = begin; i < end; ++i) {
+            const double known = flatness[i - begin], flaw = known < 0 ? flaw_at(point, faces_[i]) : known;
+            if (flaw <= result) continue;
+            result = flaw;
+            if (flaw < limit) continue;
+            if (i > 0) swap_faces(i, 0);
+            return flaw;
+        }
     }
     return result;
+}
+
+void StarShape::swap_faces(std::size_t i, std::size_t j) const {
+    std::swap(faces_[i], faces_[j]);
+    for (const std::size_t k : {i, j}) fours_[k / FourTriangles::count].set(k % FourTriangles::count, faces_[k]);
 }
 
 Value StarShape::value(const Vec3& point) const {

@@ -8,6 +8,7 @@
 
 #include "core/geometry.h"
 #include "volume/improvement/objective.h"
+#include "volume/tets/flatness_of_four.h"
 #include "volume/tets/radius_ratios.h"
 #include "volume/tets/tet_complex.h"
 
@@ -19,10 +20,8 @@ class StarShape {
   public:
     explicit StarShape(const Objective& objective) : objective_(objective) {}
 
-    void clear(bool is_on_boundary = false) { faces_.clear(), is_on_boundary_ = is_on_boundary; }
-    void add(const Vec3& a, const Vec3& b, const Vec3& c, const std::array<bool, 3>& is_on_boundary = {}) {
-        faces_.push_back({{a, b, c}, is_on_boundary});
-    }
+    void clear(bool is_on_boundary = false) { faces_.clear(), fours_.clear(), is_on_boundary_ = is_on_boundary; }
+    void add(const Vec3& a, const Vec3& b, const Vec3& c, const std::array<bool, 3>& is_on_boundary = {});
     void gather(const TetComplex& complex, std::span<const int> star, int vertex);
 
     /// The worst tet's flaw; stops early, with some value >= limit, once it reaches `limit`.
@@ -51,10 +50,13 @@ class StarShape {
         return objective_.flaw({point, a, b, c}, {is_on_boundary_, on[0], on[1], on[2]});
     }
 
+    void swap_faces(std::size_t i, std::size_t j) const;
+
     const Objective& objective_;
     bool is_on_boundary_ = false;
     // the triangle that refused last is the likeliest to refuse again and moves to the front
     mutable std::vector<SeenTriangle> faces_;
+    mutable std::vector<FourTriangles> fours_;  // the same, four at a time; the last may be filled up
 };
 
 /// Directions spread evenly over the sphere.

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "volume/tets/flatness_of_four.h"
+
+#include <cstring>
+
+namespace featuremesh {
+
+namespace {
+
+// A vector of GCC and Clang; a machine without such registers does the same by parts. All is inlined and given by
+// reference, so that none is handed over in registers that the machine may not have.
+typedef double Four __attribute__((vector_size(4 * sizeof(double))));
+#define FEATUREMESH_INLINE [[gnu::always_inline]] inline
+
+struct FourVecs {
+    Four x, y, z;
+};
+
+FEATUREMESH_INLINE void find_way(const double* corners, const Vec3& from, FourVecs& way) {
+    std::memcpy(&way.x, corners, sizeof way.x);
+    std::memcpy(&way.y, corners + 4, sizeof way.y);
+    std::memcpy(&way.z, corners + 8, sizeof way.z);
+    way.x -= from.x, way.y -= from.y, way.z -= from.z;
+}
+FEATUREMESH_INLINE void find_cross(const FourVecs& a, const FourVecs& b, FourVecs& product) {
+    product.x = a.y * b.z - a.z * b.y, product.y = a.z * b.x - a.x * b.z, product.z = a.x * b.y - a.y * b.x;
+}
+FEATUREMESH_INLINE void find_dot(const FourVecs& a, const FourVecs& b, Four& product) {
+    product = a.x * b.x + a.y * b.y + a.z * b.z;
+}
+FEATUREMESH_INLINE void raise(Four& least, const Four& to) { least = least < to ? to : least; }
+
+/// The sums of `flatness` and of `Objective::flaw`, in their order.
+FEATUREMESH_INLINE void find_flatness(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain,
+                                      std::array<double, 4>& found) {
+    FourVecs u, v, w, n1, n2, n3;
+    const double* corners = triangles.rows.front().data();
+    find_way(corners, point, u), find_way(corners + 12, point, v), find_way(corners + 24, point, w);
+    find_cross(v, w, n1), find_cross(w, u, n2), find_cross(u, v, n3);
+    Four s1, s2, s3, d12, d13, d23, volume, six_volumes, longest, other;
+    find_dot(n1, n1, s1), find_dot(n2, n2, s2), find_dot(n3, n3, s3);
+    find_dot(n1, n2, d12), find_dot(n1, n3, d13), find_dot(n2, n3, d23);
+    const Four d01 = s1 + d12 + d13, d02 = d12 + s2 + d23, d03 = d13 + d23 + s3, s0 = d01 + d02 + d03;
+    const Four r0 = 1 / s0, r1 = 1 / s1, r2 = 1 / s2, r3 = 1 / s3;
+    Four m0 = d01 * d01 * r1, m1 = d12 * d12 * r2;
+    raise(m0, d02 * d02 * r2), raise(m0, d03 * d03 * r3);
+    raise(m1, d13 * d13 * r3);
+    Four flatness = m0 * r0;
+    raise(flatness, m1 * r1), raise(flatness, d23 * d23 * r2 * r3);
+    find_dot(u, n1, volume), find_dot(n3, w, six_volumes);
+    find_dot(u, u, longest);
+    find_dot(v, v, other), raise(longest, other);
+    find_dot(w, w, other), raise(longest, other);
+    longest *= 4;
+    const auto is_plain =
+        (volume > 0) & (six_volumes >= 6 * plain.least_volume) & (flatness < plain.flatness) &
+        (six_volumes * six_volumes >= plain.least_share * plain.least_share * longest * longest * longest);
+    flatness = is_plain ? flatness : -1.0;
+    std::memcpy(found.data(), &flatness, sizeof flatness);
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void find_by_avx2(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain,
+                                          std::array<double, 4>& found) {
+    find_flatness(point, triangles, plain, found);
+}
+const bool has_avx2 = __builtin_cpu_supports("avx2");
+#endif
+
+}  // namespace
+
+std::array<double, 4> flatness_by_parts(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain) {
+    std::array<double, 4> found;
+    find_flatness(point, triangles, plain, found);
+    return found;
+}
+
+std::array<double, 4> flatness_of_four(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain) {
+#if defined(__x86_64__)
+    if (has_avx2) {
+        std::array<double, 4> found;
+        find_by_avx2(point, triangles, plain, found);
+        return found;
+    }
+#endif
+    return flatness_by_parts(point, triangles, plain);
+}
+
+}  // namespace featuremesh

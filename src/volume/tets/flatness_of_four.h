@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The flatness of four tets at a time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/geometry.h"
+#include "volume/tets/radius_ratios.h"
+
+namespace featuremesh {
+
+/// Four triangles that see a point, number by number: coordinate d of corner c is in row 3 c + d.
+struct FourTriangles {
+    static constexpr std::size_t count = 4;
+    std::array<std::array<double, count>, 9> rows;
+
+    void set(std::size_t i, const SeenTriangle& triangle) {
+        for (std::size_t c = 0; c < 3; ++c)
+            for (int d = 0; d < 3; ++d) rows[3 * c + static_cast<std::size_t>(d)][i] = triangle.corners[c][d];
+    }
+};
+
+/// Of which tets the flatness says all: those with at least so much volume, mm^3, and with six volumes of at least
+/// this share of the cube of twice the longest side at the point, that are less flat than this.
+struct PlainTets {
+    double least_volume, least_share, flatness;
+};
+
+/// By triangle the `flatness` of the tet (point, triangle), -1 where that does not say all. The same bits on every
+/// machine.
+std::array<double, 4> flatness_of_four(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain);
+/// The same without the processor's wider registers, for tests.
+std::array<double, 4> flatness_by_parts(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain);
+
+}  // namespace featuremesh

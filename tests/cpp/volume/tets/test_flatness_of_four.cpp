@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "catch.h"
+#include "volume/improvement/objective.h"
+#include "volume/tets/flatness_of_four.h"
+#include "volume/tets/tet_measures.h"
+
+using namespace featuremesh;
+
+namespace {
+
+/// Tets of all kinds: good, turned over, flat, and with a point next to a corner.
+class RandomTets {
+  public:
+    Vec3 point() { return {share_(random_), share_(random_), share_(random_)}; }
+    SeenTriangle triangle(const Vec3& seen_from) {
+        SeenTriangle made{{point(), point(), point()}};
+        if (random_() % 4 == 0) made.corners[2].z = 1e-9 * made.corners[2].z + seen_from.z;
+        if (random_() % 8 == 0) made.corners[0] = seen_from + 1e-5 * made.corners[0];
+        return made;
+    }
+
+  private:
+    std::mt19937 random_{7};
+    std::uniform_real_distribution<double> share_{-1, 1};
+};
+
+/// A hair above the least volume, or of a height far below the longest side.
+bool is_near_thin(const std::array<Vec3, 4>& p, const PlainTets& plain) {
+    const double longest = 2 * std::max({distance(p[0], p[1]), distance(p[0], p[2]), distance(p[0], p[3])});
+    const double volume = signed_volume(p[0], p[1], p[2], p[3]);
+    return volume < 1.001 * plain.least_volume || 6 * volume < 1.001 * plain.least_share * std::pow(longest, 3);
+}
+
+}  // namespace
+
+TEST_CASE("four tets at a time have the flatness, to the bit, that each has by itself") {
+    constexpr double least_volume = 1e-4;
+    const Objective objective({.least_volume = least_volume});
+    const PlainTets plain = objective.plain_tets();
+    RandomTets random;
+    std::size_t plain_count = 0, special = 0;
+    for (int round = 0; round < 400; ++round) {
+        const Vec3 point = random.point();
+        std::array<SeenTriangle, 4> triangles;
+        FourTriangles four;
+        for (std::size_t i = 0; i < 4; ++i) four.set(i, triangles[i] = random.triangle(point));
+        const std::array<double, 4> found = flatness_of_four(point, four, plain);
+        REQUIRE(found == flatness_by_parts(point, four, plain));
+        for (std::size_t i = 0; i < 4; ++i) {
+            const auto& [a, b, c] = triangles[i].corners;
+            if (found[i] < 0) {
+                ++special;
+                CHECK((flatness(point, a, b, c) >= plain.flatness || is_near_thin({point, a, b, c}, plain)));
+            } else {
+                ++plain_count;
+                CHECK(found[i] == flatness(point, a, b, c));
+                CHECK(found[i] == objective.flaw({point, a, b, c}, {true, true, true, true}));
+                CHECK(signed_volume(point, a, b, c) >= least_volume);
+            }
+        }
+    }
+    CHECK(plain_count > 400);
+    CHECK(special > 400);
+}
