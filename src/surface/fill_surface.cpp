@@ -317,12 +317,14 @@ using TrianglePairs = std::vector<std::array<TriangleId, 2>>;
 
 /// Half the length of today wherever two triangles cross.
 void ask_for_less(WantedLength& wanted, const Mesh& mesh, const TrianglePairs& crossings) {
+    std::vector<SizeSource> shorter;
     for (const auto& pair : crossings)
         for (const TriangleId t : pair) {
             const auto& [a, b, c] = mesh.triangles[t.index()];
             const Vec3 p = mesh.point(a), q = mesh.point(b), r = mesh.point(c);
-            wanted.limit({(p + q + r) / 3, 0.5 * std::max({distance(p, q), distance(q, r), distance(r, p)})});
+            shorter.push_back({(p + q + r) / 3, 0.5 * std::max({distance(p, q), distance(q, r), distance(r, p)})});
         }
+    wanted.limit(shorter);
 }
 
 /// So many pairs are told of.
@@ -464,11 +466,13 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         std::optional<SurfaceFiller> filler;
         const EdgesBeside* known_beside = options.narrow == NarrowFaces::own_chains ? nullptr : &beside;
         while (!filler.emplace(brep, merged, wanted, known_beside, std::move(kept), context).bound()) {
+            std::vector<SizeSource> shorter;
             for (const auto& [first, second, piece] : filler->new_beside()) {
                 beside.add(first, second);
                 may_be_halved = options.narrow == NarrowFaces::opposite_nodes;
-                if (options.narrow == NarrowFaces::shorter) wanted.limit({piece.point, 0.5 * piece.size});
+                if (options.narrow == NarrowFaces::shorter) shorter.push_back({piece.point, 0.5 * piece.size});
             }
+            wanted.limit(shorter);
             kept = filler->take_mesh();
             cut_back(kept, before);
         }

@@ -3,10 +3,14 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/geometry.h"
 #include "sizing/sizing_field.h"
+#include "sizing/source_tree.h"
 
 namespace featuremesh {
 
@@ -15,25 +19,27 @@ class WantedLength {
     explicit WantedLength(const SizingField& field) : field_(field) {}
 
     /// mm
-    double at(const Vec3& p) const {
-        double h = field_.at(p);
-        for (const SizeSource& limit : limits_) h = std::min(h, limit.size + growth * distance(p, limit.point));
-        return h;
-    }
+    double at(const Vec3& p) const { return std::min(field_.at(p), limits_.at(p)); }
     double largest() const { return field_.largest(); }
     bool is_uniform() const { return limits_.empty() && field_.is_uniform(); }
-    /// Near the point no longer than this, growing away from it. A limit that others imply is left out.
-    void limit(const SizeSource& source) {
-        const auto implies = [&](const SizeSource& known) {
-            return known.size + growth * distance(known.point, source.point) <= 1.2 * source.size;
-        };
-        if (std::none_of(limits_.begin(), limits_.end(), implies)) limits_.push_back(source);
+    /// Near the points no longer than this, growing away from them. A limit that others imply is left out.
+    void limit(std::span<const SizeSource> sources) {
+        std::vector<SourceBall> balls;
+        for (const SizeSource& source : sources) {
+            const auto implies = [&](const SourceBall& known) {
+                return known.lower(infinity, source.point, growth, 1 / growth) <= 1.2 * source.size;
+            };
+            if (limits_.at(source.point) > 1.2 * source.size && std::none_of(balls.begin(), balls.end(), implies))
+                balls.push_back({source.point, 0, source.size});
+        }
+        balls.insert(balls.end(), limits_.balls().begin(), limits_.balls().end());
+        limits_ = SourceTree(std::move(balls), growth, infinity);
     }
 
   private:
-    static constexpr double growth = 0.3;
+    static constexpr double growth = 0.3, infinity = std::numeric_limits<double>::infinity();
     const SizingField& field_;
-    std::vector<SizeSource> limits_;
+    SourceTree limits_;
 };
 
 }  // namespace featuremesh
