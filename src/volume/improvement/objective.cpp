@@ -8,17 +8,14 @@ namespace featuremesh {
 
 namespace {
 
-/// A needle's shortest side over its longest. If it is longer than that, the angle opposite to it is large enough to be
-/// improved.
-constexpr double needle_share = 0.005;
 /// A change that leaves the worst angle as it is has to lower the penalty by at least this share.
 constexpr double least_gain_of_penalty = 0.02;
 /// A change has to leave at least this share of the mean shape: one angle is not worth the shapes of all others.
 constexpr double least_kept_shape = 0.5;
 
 /// The side, by its place in edge_corners, that makes a tet a needle: the boundary has both its ends, and it is shorter
-/// than 0.005 of the longest side. -1 for none.
-int needle_side(const std::array<Vec3, 4>& p, const std::array<bool, 4>& is_on_boundary) {
+/// than a share of the longest side. -1 for none.
+int needle_side(const std::array<Vec3, 4>& p, const std::array<bool, 4>& is_on_boundary, double share) {
     int shortest = -1;
     double least = std::numeric_limits<double>::max(), most = 0;
     for (int side = 0; side < 6; ++side) {
@@ -27,7 +24,7 @@ int needle_side(const std::array<Vec3, 4>& p, const std::array<bool, 4>& is_on_b
         most = std::max(most, squared);
         if (squared < least && is_on_boundary[i] && is_on_boundary[j]) least = squared, shortest = side;
     }
-    return least < needle_share * needle_share * most ? shortest : -1;
+    return least < share * share * most ? shortest : -1;
 }
 
 /// Largest squared cosine of the dihedral angles but that opposite the side.
@@ -62,7 +59,7 @@ std::array<Vec3, 4> corners_of(const TetComplex& complex, const Tet& tet) {
 double Objective::unforced_flatness(double flatness, const std::array<Vec3, 4>& corners,
                                     const std::array<bool, 4>& is_on_boundary) {
     if (flatness < least_flatness_of_needle || flatness > 1) return flatness;
-    const int side = needle_side(corners, is_on_boundary);
+    const int side = needle_side(corners, is_on_boundary, needle_share);
     return side >= 0 ? flatness_without(corners, side) : flatness;
 }
 

@@ -77,7 +77,9 @@ class Objective {
     }
     double flaw(const TetComplex& complex, const std::array<int, 4>& tet) const;
     /// Those whose flaw is their flatness, wherever they are.
-    PlainTets plain_tets() const { return {options_.least_volume, least_share, least_flatness_of_needle}; }
+    PlainTets plain_tets() const {
+        return {options_.least_volume, least_share, least_flatness_of_needle, needle_share};
+    }
     bool is_barred(const std::array<int, 4>& tet) const { return options_.is_barred && options_.is_barred(tet); }
     /// The tet is a needle whose worst angle is forced.
     bool is_excused(const TetComplex& complex, const std::array<int, 4>& tet) const;
@@ -129,6 +131,9 @@ class Objective {
     static constexpr double least_share = 3e-6;
     static constexpr double flaw_of_barred = 1.999;  // all but as bad as a tet without volume
     static constexpr double penalty_of_thin = 1e8;
+    /// A needle's shortest side over its longest. If it is longer than that, the angle opposite to it is large enough
+    /// to be improved.
+    static constexpr double needle_share = 0.005;
     /// No needle is less flat, and few other tets are as flat.
     static constexpr double least_flatness_of_needle = 0.97;
 

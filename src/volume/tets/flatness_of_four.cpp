@@ -28,7 +28,19 @@ FEATUREMESH_INLINE void find_cross(const FourVecs& a, const FourVecs& b, FourVec
 FEATUREMESH_INLINE void find_dot(const FourVecs& a, const FourVecs& b, Four& product) {
     product = a.x * b.x + a.y * b.y + a.z * b.z;
 }
-FEATUREMESH_INLINE void raise(Four& least, const Four& to) { least = least < to ? to : least; }
+FEATUREMESH_INLINE void raise(Four& most, const Four& to) { most = most < to ? to : most; }
+FEATUREMESH_INLINE void lower(Four& least, const Four& to) { least = to < least ? to : least; }
+
+/// Squared lengths of the shortest and of the longest side, given those from the first corner.
+struct SideRange {
+    Four least, most;
+};
+FEATUREMESH_INLINE void add_side(const FourVecs& from, const FourVecs& to, SideRange& range) {
+    const FourVecs side{to.x - from.x, to.y - from.y, to.z - from.z};
+    Four squared;
+    find_dot(side, side, squared);
+    raise(range.most, squared), lower(range.least, squared);
+}
 
 /// The sums of `flatness` and of `Objective::flaw`, in their order.
 FEATUREMESH_INLINE void find_flatness(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain,
@@ -37,7 +49,7 @@ FEATUREMESH_INLINE void find_flatness(const Vec3& point, const FourTriangles& tr
     const double* corners = triangles.rows.front().data();
     find_way(corners, point, u), find_way(corners + 12, point, v), find_way(corners + 24, point, w);
     find_cross(v, w, n1), find_cross(w, u, n2), find_cross(u, v, n3);
-    Four s1, s2, s3, d12, d13, d23, volume, six_volumes, longest, other;
+    Four s1, s2, s3, d12, d13, d23, volume, six_volumes;
     find_dot(n1, n1, s1), find_dot(n2, n2, s2), find_dot(n3, n3, s3);
     find_dot(n1, n2, d12), find_dot(n1, n3, d13), find_dot(n2, n3, d23);
     const Four d01 = s1 + d12 + d13, d02 = d12 + s2 + d23, d03 = d13 + d23 + s3, s0 = d01 + d02 + d03;
@@ -48,13 +60,18 @@ FEATUREMESH_INLINE void find_flatness(const Vec3& point, const FourTriangles& tr
     Four flatness = m0 * r0;
     raise(flatness, m1 * r1), raise(flatness, d23 * d23 * r2 * r3);
     find_dot(u, n1, volume), find_dot(n3, w, six_volumes);
-    find_dot(u, u, longest);
-    find_dot(v, v, other), raise(longest, other);
-    find_dot(w, w, other), raise(longest, other);
-    longest *= 4;
+    Four uu, vv, ww;
+    find_dot(u, u, uu), find_dot(v, v, vv), find_dot(w, w, ww);
+    SideRange sides{uu, uu};
+    raise(sides.most, vv), raise(sides.most, ww), lower(sides.least, vv), lower(sides.least, ww);
+    const Four longest = 4 * sides.most;
+    add_side(u, v, sides), add_side(v, w, sides), add_side(w, u, sides);
+    constexpr double over = 1 + 1e-9;  // more than rounding does
+    const Four shortest = over * plain.shortest_share * plain.shortest_share * sides.most;
     const auto is_plain =
-        (volume > 0) & (six_volumes >= 6 * plain.least_volume) & (flatness < plain.flatness) &
-        (six_volumes * six_volumes >= plain.least_share * plain.least_share * longest * longest * longest);
+        (volume > 0) & (six_volumes >= 6 * plain.least_volume) &
+        (six_volumes * six_volumes >= plain.least_share * plain.least_share * longest * longest * longest) &
+        ((flatness < plain.flatness) | (sides.least > shortest));
     flatness = is_plain ? flatness : -1.0;
     std::memcpy(found.data(), &flatness, sizeof flatness);
 }

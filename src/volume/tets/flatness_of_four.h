@@ -22,9 +22,10 @@ struct FourTriangles {
 };
 
 /// Of which tets the flatness says all: those with at least so much volume, mm^3, and with six volumes of at least
-/// this share of the cube of twice the longest side at the point, that are less flat than this.
+/// this share of the cube of twice the longest side at the point; and that are less flat than this, or have no side
+/// below that share of the longest.
 struct PlainTets {
-    double least_volume, least_share, flatness;
+    double least_volume, least_share, flatness, shortest_share;
 };
 
 /// By triangle the `flatness` of the tet (point, triangle), -1 where that does not say all. The same bits on every
