@@ -121,6 +121,12 @@ Uv in_period(const SurfaceData& s, Uv uv, const std::optional<Uv>& guess) {
     return {shifted_near(uv[0], s.u_period, wanted[0]), shifted_near(uv[1], s.v_period, wanted[1])};
 }
 
+/// Half way between two parameters of a closed surface whose parameters do not go on beyond their range.
+double half_way_round(double from, double to, double first, double last) {
+    const double range = last - first, middle = 0.5 * (from + shifted_near(to, range, from));
+    return middle < first ? middle + range : middle > last ? middle - range : middle;
+}
+
 std::optional<Uv> analytic_parameters(const BRepAdaptor_Surface& a, const gp_Pnt& p) {
     Uv uv;
     switch (a.GetType()) {
@@ -322,8 +328,13 @@ Vec3 Projector::on_face(FaceId face, std::array<double, 2> uv) const {
 }
 
 std::array<double, 2> Projector::half_way(FaceId face, std::array<double, 2> from, std::array<double, 2> to) const {
-    const Uv end = in_period(data_->surface(face), to, from);
-    return {0.5 * (from[0] + end[0]), 0.5 * (from[1] + end[1])};
+    const SurfaceData& s = data_->surface(face);
+    if (s.u_period > 0 || s.v_period > 0) to = in_period(s, to, from);
+    const auto& a = s.adaptor;
+    return {a.IsUClosed() && s.u_period == 0 ? half_way_round(from[0], to[0], a.FirstUParameter(), a.LastUParameter())
+                                             : 0.5 * (from[0] + to[0]),
+            a.IsVClosed() && s.v_period == 0 ? half_way_round(from[1], to[1], a.FirstVParameter(), a.LastVParameter())
+                                             : 0.5 * (from[1] + to[1])};
 }
 
 OnEdge Projector::nearest(EdgeId edge, const Vec3& p, std::optional<double> guess) const {

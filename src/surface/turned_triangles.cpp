@@ -2,15 +2,14 @@
 #include "surface/turned_triangles.h"
 
 #include <BRepAdaptor_Surface.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
-#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "brep/occt_geometry.h"
 #include "core/geometry.h"
+#include "surface/face_parameters.h"
 #include "surface/projection.h"
 
 namespace featuremesh {
@@ -39,7 +38,7 @@ class NormalCheck {
         int seen = 0;
         for (const NodeId n : corners) {
             if (apex_ && distance(mesh_.point(n), *apex_) < at_apex) continue;
-            const std::optional<Uv> uv = parameters_of(n, face);
+            const std::optional<Uv> uv = parameters_on(brep_, face, mesh_, n);
             if (!uv) continue;
             ++seen;
             if (!(dot(across, projector_.normal(face, *uv)) < most)) return false;
@@ -55,25 +54,6 @@ class NormalCheck {
         const BRepAdaptor_Surface surface(brep_.face(face), false);
         if (surface.GetType() == GeomAbs_Plane) plane_normal_ = projector_.normal(face, {0, 0});
         if (surface.GetType() == GeomAbs_Cone) apex_ = to_vec3(surface.Cone().Apex());
-    }
-
-    std::optional<Uv> parameters_of(NodeId n, FaceId face) const {
-        const Entity entity = mesh_.entities[n.index()];
-        if (entity == entity_of(face)) return mesh_.parameters[n.index()];
-        if (entity.dim == 1) return on_edge(EdgeId(entity.index), face, mesh_.parameters[n.index()][0]);
-        if (entity.dim != 0) return std::nullopt;
-        for (const EdgeId edge : brep_.edges_of(VertexId(entity.index)))
-            if (const auto faces = brep_.faces_of(edge); std::find(faces.begin(), faces.end(), face) != faces.end())
-                return on_edge(edge, face, brep_.ends_of(edge)[0] == VertexId(entity.index) ? 0 : 1, true);
-        return std::nullopt;
-    }
-    /// The point of the edge's curve in the face's parameters, at a parameter or (0 or 1) at an end.
-    std::optional<Uv> on_edge(EdgeId edge, FaceId face, double t, bool is_end = false) const {
-        double first = 0, last = 0;
-        const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(brep_.edge(edge), brep_.face(face), first, last);
-        if (curve.IsNull()) return std::nullopt;
-        const gp_Pnt2d p = curve->Value(is_end ? (t > 0 ? last : first) : std::clamp(t, first, last));
-        return Uv{p.X(), p.Y()};
     }
 
     const Brep& brep_;

@@ -13,6 +13,7 @@
 #include "core/geometry.h"
 #include "core/messages.h"
 #include "mesh/second_order.h"
+#include "surface/face_parameters.h"
 #include "surface/projection.h"
 #include "volume/curved/bent_walls.h"
 #include "volume/curved/curved_tet_repair.h"
@@ -61,26 +62,40 @@ std::optional<std::array<double, 2>> start_parameters(const Mesh& mesh, std::siz
     return std::nullopt;
 }
 
-/// Parameters half way along a side with both ends inside the face.
-std::optional<std::array<double, 2>> half_way(const Mesh& mesh, NodeId a, NodeId b, const Projector& projector,
-                                              FaceId face) {
-    if (mesh.entities[a.index()] != entity_of(face) || mesh.entities[b.index()] != entity_of(face)) return std::nullopt;
-    return projector.half_way(face, mesh.parameters[a.index()], mesh.parameters[b.index()]);
+/// Parameters half way along a side with both ends inside the face or on its border.
+std::optional<std::array<double, 2>> half_way(const Brep& brep, const Mesh& mesh, const std::array<NodeId, 2>& side,
+                                              const Projector& projector, FaceId face) {
+    const auto from = parameters_on(brep, face, mesh, side[0]), to = parameters_on(brep, face, mesh, side[1]);
+    if (!from || !to) return std::nullopt;
+    return projector.half_way(face, *from, *to);
+}
+
+/// The point of the face nearest to the middle of a side between nodes of its border. Far away is not believed: a node
+/// of a seam has two places, and the parameters of a face may bend between its borders.
+OnFace nearest_from_border(const Projector& projector, FaceId face, const Vec3& middle,
+                           const std::optional<std::array<double, 2>>& start, double side) {
+    constexpr double far = 0.1;
+    const OnFace near = projector.nearest(face, middle, start);
+    if (!start || near.distance <= far * side) return near;
+    const OnFace other = projector.nearest(face, middle);
+    return other.distance < near.distance ? other : near;
 }
 
 /// The point of the face nearest to the middle of a side. Where the face bends so much that this point is towards one
 /// end of the side, the point of the face as far from one end as from the other.
-OnFace above_middle(const Projector& projector, FaceId face, const Mesh& mesh, std::array<NodeId, 2> side,
-                    const std::optional<std::array<double, 2>>& start) {
+OnFace above_middle(const Brep& brep, const Projector& projector, FaceId face, const Mesh& mesh,
+                    const std::array<NodeId, 2>& side, const std::optional<std::array<double, 2>>& start) {
     constexpr double most_slide = 0.05, enough = 0.01;
     constexpr int most_steps = 20;
     const Vec3 &a = mesh.point(side[0]), &b = mesh.point(side[1]);
     const Vec3 middle = 0.5 * (a + b), along = b - a;
     const auto slide_of = [&](const OnFace& on) { return dot(on.point - middle, along) / squared_length(along); };
-    OnFace best = projector.nearest(face, middle, start);
+    OnFace best = start ? projector.nearest(face, middle, start)
+                        : nearest_from_border(projector, face, middle, half_way(brep, mesh, side, projector, face),
+                                              length(along));
     if (std::abs(slide_of(best)) < most_slide) return best;
     // Newton's steps from one end may have gone astray
-    const auto between = half_way(mesh, side[0], side[1], projector, face);
+    const auto between = half_way(brep, mesh, side, projector, face);
     if (const OnFace other = projector.nearest(face, middle, between); other.distance < best.distance) best = other;
     double least = slide_of(best);
     if (std::abs(least) < most_slide) return best;
@@ -118,8 +133,8 @@ void place_on_faces(const Brep& brep, const std::vector<bool>& is_new, Mesh& mes
             const auto& [i, s] = sides[k];
             const auto& corners = mesh.triangles[i];
             const std::size_t mid = mesh.triangle_mids[i][s].index();
-            const OnFace on = above_middle(projector, mesh.triangle_faces[i], mesh, {corners[s], corners[(s + 1) % 3]},
-                                           start_parameters(mesh, i));
+            const OnFace on = above_middle(brep, projector, mesh.triangle_faces[i], mesh,
+                                           {corners[s], corners[(s + 1) % 3]}, start_parameters(mesh, i));
             mesh.points[mid] = on.point;
             mesh.parameters[mid] = on.uv;
         }

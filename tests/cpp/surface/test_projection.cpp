@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_TrimmedCurve.hxx>
+#include <TopoDS_Wire.hxx>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
 #include "catch.h"
+#include "surface/face_parameters.h"
 #include "surface/projection.h"
+#include "surface/wanted_length.h"
 #include "surface_checks.h"
 
 using namespace featuremesh;
@@ -159,4 +171,64 @@ TEST_CASE("in a face with many holes each point is inside or in a hole") {
     }
     CHECK(projector.is_inside_trim(top, projector.nearest(top, {8, 5, 2}).uv));  // its border counts
     CHECK(projector.is_inside_trim(top, projector.nearest(top, {0, 7, 2}).uv));
+}
+
+TEST_CASE("half way round a closed face whose parameters end at its seam is beside the seam, too") {
+    const double turn = 2 * std::acos(-1.0);
+    const Handle(Geom_Curve) circle = new Geom_Circle(gp_Ax2(), 10);
+    Handle(Geom_BSplineCurve) curve =
+        GeomConvert::CurveToBSplineCurve(new Geom_TrimmedCurve(circle, 0, turn), Convert_QuasiAngular);
+    curve->SetNotPeriodic();
+    const TopoDS_Wire wire = BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(curve));
+    const Brep brep(BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire), gp_Vec(0, 0, 12)).Shape());
+    const Projector projector(brep);
+    const FaceId side(0);
+    const double height = projector.on_face(side, {0, 1}).z > 0 ? 1 : -1;
+    for (const auto& [from, to] : {std::pair{0.1, turn - 0.3}, {turn - 0.1, 0.3}, {0.0, turn - 0.4}, {1.0, 1.5}}) {
+        INFO(from << " to " << to);
+        const auto uv = projector.half_way(side, {from, 3 * height}, {to, 5 * height});
+        CHECK((uv[0] >= 0 && uv[0] <= turn));
+        const Vec3 a = projector.on_face(side, {from, 4 * height}), b = projector.on_face(side, {to, 4 * height});
+        const Vec3 between = projector.on_face(side, uv);
+        CHECK(std::max(distance(between, a), distance(between, b)) < 0.6 * distance(a, b));
+    }
+}
+
+TEST_CASE("nodes of a face and of its border have their parameters on it") {
+    for (const NamedShape& s : named_shapes()) {
+        INFO(s.name);
+        const Brep brep(s.shape);
+        const Projector projector(brep);
+        const Mesh mesh = mesh_surface(brep, s.size).mesh;
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            for (const NodeId node : mesh.triangles[t]) {
+                const FaceId face = mesh.triangle_faces[t];
+                const auto uv = parameters_on(brep, face, mesh, node);
+                REQUIRE(uv);
+                CHECK(distance(projector.on_face(face, *uv), mesh.point(node)) < 1e-6 * s.size);
+            }
+    }
+}
+
+TEST_CASE("a length is no longer than its limits, however many") {
+    const Brep brep(BRepPrimAPI_MakeBox(10, 10, 10).Shape());
+    RunContext context;
+    SizingOptions options;
+    options.size = 3;
+    const SizingField field = make_sizing(brep, options, {}, context);
+    WantedLength wanted(field);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(0, 10), size(0.1, 1);
+    std::vector<SizeSource> limits;
+    for (int i = 0; i < 200; ++i) limits.push_back({{place(random), place(random), place(random)}, size(random)});
+    const std::size_t half = limits.size() / 2;
+    wanted.limit(std::span(limits).first(half));
+    wanted.limit(std::span(limits).subspan(half));
+    for (const SizeSource& at : limits) {
+        CHECK(wanted.at(at.point) <= 1.2 * at.size);
+        double least = field.at(at.point);
+        for (const SizeSource& other : limits)
+            least = std::min(least, other.size + 0.3 * distance(at.point, other.point));
+        CHECK(wanted.at(at.point) >= least);
+    }
 }
