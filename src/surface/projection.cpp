@@ -348,6 +348,10 @@ OnEdge Projector::nearest(EdgeId edge, const Vec3& p, std::optional<double> gues
     return global_nearest(c, p);
 }
 
+bool Projector::needs_search(FaceId face) const {
+    return data_->surface(face).adaptor.GetType() > GeomAbs_Torus;  // those before it are listed above
+}
+
 OnFace Projector::nearest(FaceId face, const Vec3& p, std::optional<std::array<double, 2>> guess) const {
     SurfaceData& s = data_->surface(face);
     if (const auto uv = analytic_parameters(s.adaptor, to_pnt(p))) return at(s, in_period(s, *uv, guess), p);

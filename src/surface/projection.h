@@ -50,6 +50,9 @@ class Projector {
     std::array<double, 2> half_way(FaceId face, std::array<double, 2> from, std::array<double, 2> to) const;
     /// Nearest point of the trimmed edge; `guess` starts a Newton iteration that falls back to the global search.
     OnEdge nearest(EdgeId edge, const Vec3& p, std::optional<double> guess = {}) const;
+    /// Whether the nearest point of the face's surface takes a search; that of a plane, a cylinder, a cone, a sphere or
+    /// a torus is known at once.
+    bool needs_search(FaceId face) const;
     /// Nearest point of the face's surface; with a guess by Newton, else globally. Does not look at the trim.
     OnFace nearest(FaceId face, const Vec3& p, std::optional<std::array<double, 2>> guess = {}) const;
     /// The same, for a short step from `guess`: none where Newton's iteration does not get there.

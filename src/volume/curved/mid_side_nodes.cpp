@@ -90,12 +90,15 @@ OnFace above_middle(const Brep& brep, const Projector& projector, FaceId face, c
     const Vec3 &a = mesh.point(side[0]), &b = mesh.point(side[1]);
     const Vec3 middle = 0.5 * (a + b), along = b - a;
     const auto slide_of = [&](const OnFace& on) { return dot(on.point - middle, along) / squared_length(along); };
-    OnFace best = start ? projector.nearest(face, middle, start)
-                        : nearest_from_border(projector, face, middle, half_way(brep, mesh, side, projector, face),
-                                              length(along));
+    OnFace best =
+        start || !projector.needs_search(face)
+            ? projector.nearest(face, middle, start)
+            : nearest_from_border(projector, face, middle, half_way(brep, mesh, side, projector, face), length(along));
     if (std::abs(slide_of(best)) < most_slide) return best;
     // Newton's steps from one end may have gone astray
-    const auto between = half_way(brep, mesh, side, projector, face);
+    const auto is_inside = [&](NodeId n) { return mesh.entities[n.index()] == entity_of(face); };
+    const auto between =
+        std::all_of(side.begin(), side.end(), is_inside) ? half_way(brep, mesh, side, projector, face) : std::nullopt;
     if (const OnFace other = projector.nearest(face, middle, between); other.distance < best.distance) best = other;
     double least = slide_of(best);
     if (std::abs(least) < most_slide) return best;
