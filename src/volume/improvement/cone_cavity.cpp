@@ -8,16 +8,22 @@ namespace featuremesh {
 void ConeCavity::reset(std::span<const int> start, int apex, const Vec3& point) {
     apex_ = apex, point_ = point;
     tets_.clear(), faces_.clear();
-    worst_before_ = 0;
     marks_.begin(complex_.tets.size());
-    for (const int tet : start) add(tet);
+    for (const int tet : start) take_in(tet);
+    worst_before_ = worst_of(start);
+    measure_new_cones();
 }
 
 void ConeCavity::add(int tet) {
+    take_in(tet);
+    worst_before_ = std::max(worst_before_, objective_.flaw(complex_, complex_.tets[tet]));
+    measure_new_cones();
+}
+
+void ConeCavity::take_in(int tet) {
     tets_.push_back(tet);
     marks_.mark(tet);
     if (footprint_) footprint_->add(tet);
-    worst_before_ = std::max(worst_before_, objective_.flaw(complex_, complex_.tets[tet]));
     for (int face = 0; face < 4; ++face) {
         const int next = complex_.neighbours[tet][face];
         if (next >= 0 && marks_.is_marked(next))
@@ -25,6 +31,17 @@ void ConeCavity::add(int tet) {
         else
             add_face(tet, face);
     }
+}
+
+/// A star is grown from towards each of its neighbours in turn.
+double ConeCavity::worst_of(std::span<const int> start) {
+    if (!std::equal(start.begin(), start.end(), last_start_.begin(), last_start_.end())) {
+        last_start_.assign(start.begin(), start.end());
+        worst_of_last_ = 0;
+        for (const int tet : start)
+            worst_of_last_ = std::max(worst_of_last_, objective_.flaw(complex_, complex_.tets[tet]));
+    }
+    return worst_of_last_;
 }
 
 std::array<bool, 3> ConeCavity::are_outside(const std::array<int, 3>& f) const {
@@ -42,10 +59,36 @@ double ConeCavity::cone_flaw(const std::array<int, 3>& f) const {
 void ConeCavity::add_face(int tet, int face) {
     const Tet& v = complex_.tets[tet];
     const auto& corner = opposite_face[face];
-    Face open{tet, face, {v[corner[0]], v[corner[1]], v[corner[2]]}, 0};
-    // a triangle with the apex makes no cone, but is part of the outside
-    if (!open.has(apex_)) open.value = cone_flaw(open.vertices);
-    faces_.push_back(open);
+    faces_.push_back({tet, face, {v[corner[0]], v[corner[1]], v[corner[2]]}, not_measured});
+}
+
+void ConeCavity::measure_new_cones() {
+    const PlainTets plain = objective_.plain_tets();
+    std::array<Face*, FourTriangles::count> faces{};
+    FourTriangles four;
+    std::size_t count = 0;
+    const auto measure = [&] {
+        four.fill_up(count);
+        const auto flatness = flatness_of_four(point_, four, plain);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto& [a, b, c] = faces[i]->vertices;
+            faces[i]->value = flatness[i] < 0 ? cone_flaw(faces[i]->vertices)
+                              : apex_ < 0     ? flatness[i]
+                                              : objective_.unless_barred(flatness[i], {apex_, a, b, c});
+        }
+        count = 0;
+    };
+    for (Face& face : faces_) {
+        if (face.value != not_measured) continue;
+        // a triangle with the apex makes no cone, but is part of the outside
+        face.value = 0;
+        if (face.has(apex_)) continue;
+        const auto [a, b, c] = face.vertices;
+        faces[count] = &face;
+        four.set(count, {{complex_.points[a], complex_.points[b], complex_.points[c]}});
+        if (++count == FourTriangles::count) measure();
+    }
+    if (count > 0) measure();
 }
 
 void ConeCavity::remove_face(int tet, int face) {

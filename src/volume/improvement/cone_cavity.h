@@ -25,8 +25,8 @@ class ConeCavity {
     ConeCavity(const TetComplex& complex, const Objective& objective)
         : complex_(complex), objective_(objective), shape_(objective) {}
 
-    /// Adds the tets that it looks at from now on to the footprint.
-    void note_in(Footprint& footprint) { footprint_ = &footprint; }
+    /// Adds the tets that it looks at from now on to the footprint. They may have changed since the last call.
+    void note_in(Footprint& footprint) { footprint_ = &footprint, last_start_.clear(); }
 
     /// Grows from `start` across the triangle with the worst cone, as long as that may help; keeps the best cavity met.
     /// `apex` is the vertex that `point` belongs to, -1 for a new one. False where no cavity was better than the tets
@@ -63,8 +63,12 @@ class ConeCavity {
     };
     void reset(std::span<const int> start, int apex, const Vec3& point);
     void add(int tet);
+    void take_in(int tet);
     void add_face(int tet, int face);
     void remove_face(int tet, int face);
+    /// The cones over the triangles that are new since the last call.
+    void measure_new_cones();
+    double worst_of(std::span<const int> start);
     void gather_shape();
     Value value_of_cones();
     double cone_flaw(const std::array<int, 3>& face) const;
@@ -77,6 +81,7 @@ class ConeCavity {
     bool give_room();
     std::array<bool, 3> are_outside(const std::array<int, 3>& corners) const;
 
+    static constexpr double not_measured = -1;
     static constexpr std::size_t most_tets = 48, most_tets_with_room = 240;
     const TetComplex& complex_;
     const Objective& objective_;
@@ -85,7 +90,8 @@ class ConeCavity {
     double worst_before_ = 0, worst_after_ = 0;
     TetMarks marks_;
     Footprint* footprint_ = nullptr;
-    std::vector<int> tets_, order_;
+    std::vector<int> tets_, order_, last_start_;
+    double worst_of_last_ = 0;
     std::vector<Face> faces_;
     std::vector<Tet> cones_;
     StarShape shape_;

@@ -64,8 +64,7 @@ double Objective::unforced_flatness(double flatness, const std::array<Vec3, 4>& 
 }
 
 double Objective::flaw(const TetComplex& complex, const Tet& tet) const {
-    const double by_shape = flaw(corners_of(complex, tet), are_on_boundary(complex, tet));
-    return by_shape < flaw_of_barred && is_barred(tet) ? flaw_of_barred : by_shape;
+    return unless_barred(flaw(corners_of(complex, tet), are_on_boundary(complex, tet)), tet);
 }
 
 bool Objective::is_excused(const TetComplex& complex, const Tet& tet) const {

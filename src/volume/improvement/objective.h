@@ -76,6 +76,10 @@ class Objective {
         return all < least_flatness_of_needle || all > 1 ? all : unforced_flatness(all, corners, is_on_boundary);
     }
     double flaw(const TetComplex& complex, const std::array<int, 4>& tet) const;
+    /// The flaw of a tet, given what it is by its shape alone.
+    double unless_barred(double by_shape, const std::array<int, 4>& tet) const {
+        return by_shape < flaw_of_barred && is_barred(tet) ? flaw_of_barred : by_shape;
+    }
     /// Those whose flaw is their flatness, wherever they are.
     PlainTets plain_tets() const {
         return {options_.least_volume, least_share, least_flatness_of_needle, needle_share};

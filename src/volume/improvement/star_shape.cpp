@@ -26,7 +26,8 @@ void StarShape::add(const Vec3& a, const Vec3& b, const Vec3& c, const std::arra
     const std::size_t lane = faces_.size() % FourTriangles::count;
     faces_.push_back({{a, b, c}, is_on_boundary});
     if (lane == 0) fours_.emplace_back();
-    for (std::size_t i = lane; i < FourTriangles::count; ++i) fours_.back().set(i, faces_.back());
+    fours_.back().set(lane, faces_.back());
+    fours_.back().fill_up(lane + 1);
 }
 
 void StarShape::gather(const TetComplex& complex, std::span<const int> star, int vertex) {
@@ -40,21 +41,30 @@ void StarShape::gather(const TetComplex& complex, std::span<const int> star, int
     }
 }
 
-double StarShape::worst(const Vec3& point, double limit) const {
+/// Calls visit(place, flaw) for the tets in turn until it says that this is enough.
+template <class Visit>
+void StarShape::visit_flaws(const Vec3& point, const Visit& visit) const {
     const PlainTets plain = objective_.plain_tets();
-    double result = 0;
     for (std::size_t begin = 0; begin < faces_.size(); begin += FourTriangles::count) {
         const auto flatness = flatness_of_four(point, fours_[begin / FourTriangles::count], plain);
         const std::size_t end = std::min(begin + FourTriangles::count, faces_.size());
         for (std::size_t i = begin; i < end; ++i) {
-            const double known = flatness[i - begin], flaw = known < 0 ? flaw_at(point, faces_[i]) : known;
-            if (flaw <= result) continue;
-            result = flaw;
-            if (flaw < limit) continue;
-            if (i > 0) swap_faces(i, 0);
-            return flaw;
+            const double known = flatness[i - begin];
+            if (visit(i, known < 0 ? flaw_at(point, faces_[i]) : known)) return;
         }
     }
+}
+
+double StarShape::worst(const Vec3& point, double limit) const {
+    double result = 0;
+    std::size_t refused_by = 0;
+    visit_flaws(point, [&](std::size_t i, double flaw) {
+        if (flaw <= result) return false;
+        result = flaw;
+        if (flaw >= limit) refused_by = i;
+        return flaw >= limit;
+    });
+    if (refused_by > 0) swap_faces(refused_by, 0);
     return result;
 }
 
@@ -65,11 +75,11 @@ void StarShape::swap_faces(std::size_t i, std::size_t j) const {
 
 Value StarShape::value(const Vec3& point) const {
     Value sum{.shape = sum_of_radius_ratios(point), .count = static_cast<double>(faces_.size())};
-    for (const SeenTriangle& face : faces_) {
-        const double flaw = flaw_at(point, face);
+    visit_flaws(point, [&](std::size_t, double flaw) {
         sum.worst = std::max(sum.worst, flaw);
         sum.penalty += objective_.penalty(flaw);
-    }
+        return false;
+    });
     return sum;
 }
 

@@ -50,6 +50,8 @@ class StarShape {
         return objective_.flaw({point, a, b, c}, {is_on_boundary_, on[0], on[1], on[2]});
     }
 
+    template <class Visit>
+    void visit_flaws(const Vec3& point, const Visit& visit) const;
     void swap_faces(std::size_t i, std::size_t j) const;
 
     const Objective& objective_;

@@ -2,6 +2,7 @@
 // The flatness of four tets at a time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -18,6 +19,10 @@ struct FourTriangles {
     void set(std::size_t i, const SeenTriangle& triangle) {
         for (std::size_t c = 0; c < 3; ++c)
             for (int d = 0; d < 3; ++d) rows[3 * c + static_cast<std::size_t>(d)][i] = triangle.corners[c][d];
+    }
+    /// Repeats the last of the first ones.
+    void fill_up(std::size_t first) {
+        for (auto& row : rows) std::fill(row.begin() + static_cast<std::ptrdiff_t>(first), row.end(), row[first - 1]);
     }
 };
 
