@@ -181,6 +181,28 @@ def check_part_deleted(document, mesh):
     assert mesh.Status == "up to date", mesh.Status
 
 
+def check_adopted_beside_ours(document, analysis, mesh):
+    """The part of an adopted mesh has one of ours: the adopted one takes its place in the analysis, or nothing is done; undo brings both back."""
+    theirs = document.addObject("Fem::FemMeshObject", "Theirs")
+    theirs.FemMesh = mesh.FemMesh
+    analysis.addObject(theirs)
+    before, seen = set(document.Objects), []
+    for text in ("Cancel", "Take its place"):
+        assert set(document.Objects) == before and {mesh, theirs} < set(analysis.Group), analysis.Group
+        timer = answer_with(text, seen)
+        select((theirs,))
+        run_command("Adopt")
+        assert not timer.isActive()
+    adopted, = set(document.Objects) - before
+    assert seen == ["Body has the mesh FeatureMesh already."] * 2, seen
+    assert adopted in analysis.Group and not {mesh, theirs} & set(analysis.Group), analysis.Group
+    assert adopted.TetCount == mesh.TetCount and [obj.ViewObject.Visibility for obj in (adopted, mesh, theirs)] == [True, False, False]
+    Gui.runCommand("Std_Undo")
+    spin()
+    assert set(document.Objects) == before and {mesh, theirs} < set(analysis.Group), analysis.Group
+    document.removeObject(theirs.Name)
+
+
 def check_expression(document, mesh):
     """What an expression drives is not typed in the panel, where it would be another value again after the next edit; the rest is."""
     mesh.setExpression("Size", "2 * 4")
@@ -240,6 +262,7 @@ def drive():
     mesh = api.add_mesh(body, 6.0, order=1)
     document.recompute()
     check_what_has_no_part(document, body, mesh)
+    check_adopted_beside_ours(document, analysis, mesh)
     check_expression(document, mesh)
     other = document.addObject("Part::Box", "Other")
     other.Placement.Base.z = 50

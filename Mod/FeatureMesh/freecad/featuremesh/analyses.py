@@ -52,9 +52,14 @@ def analyses_of(document):
 
 def holding(obj):
     """The analyses that the object is in, itself or by an object that shows its mesh there."""
-    direct = [analysis for analysis in obj.InList if analysis.isDerivedFrom("Fem::FemAnalysis")]
-    others = [analysis for shared in shares_of(obj) for analysis in shared.InList if analysis.isDerivedFrom("Fem::FemAnalysis")]
+    direct = directly_holding(obj)
+    others = [analysis for shared in shares_of(obj) for analysis in directly_holding(shared)]
     return direct + [analysis for analysis in others if analysis not in direct]
+
+
+def directly_holding(obj):
+    """The analyses that the object is in itself."""
+    return [analysis for analysis in obj.InList if analysis.isDerivedFrom("Fem::FemAnalysis")]
 
 
 def shares_of(mesh):

@@ -58,7 +58,7 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
         mesh.Dimension, mesh.IgnoreBelow = dimension, ignore_below
         if in_place_of is not None:
             _take_what_belongs_to(in_place_of, mesh)
-            _take_place_of(in_place_of, mesh)
+            _take_place_of([in_place_of], mesh)
         elif join_analysis:
             _join_analysis(mesh, part, active_analysis)
         return mesh
@@ -88,9 +88,11 @@ def _take_what_belongs_to(foreign, mesh):
         setattr(mesh, name, [obj for obj in getattr(foreign, name, []) if not getattr(obj, "Suppressed", False)])
 
 
-def _take_place_of(foreign, mesh):
-    for analysis in [obj for obj in foreign.InList if obj.isDerivedFrom("Fem::FemAnalysis")]:
-        analysis.removeObject(foreign)
+def _take_place_of(replaced, mesh):
+    """Of these meshes, in the analysis of the first of them that is in one."""
+    for analysis in next(filter(None, map(analyses.directly_holding, replaced)), []):
+        for other in set(analysis.Group).intersection(replaced):
+            analysis.removeObject(other)
         analysis.addObject(mesh)
 
 
@@ -102,12 +104,12 @@ def update_mesh(mesh, full=False, progress=None):
     return report
 
 
-def adopt_mesh(foreign, part=None, size=None, progress=None):
+def adopt_mesh(foreign, part=None, size=None, progress=None, in_place_of=None):
     """Makes the mesh of another FEM mesh object (Gmsh, Netgen, imported) a mesh object of ours that updates locally.
 
     `part` is by default the one the mesh was made of, `size` (mm) the edge length most of the mesh has. What fits the part keeps its
-    bits and numbers. Analyses get the new object in place of the old one, which stays in the document. Returns the mesh object and
-    the report. Throws UserError.
+    bits and numbers. Analyses get the new object in place of the old one, which stays in the document; so does `in_place_of`, a mesh of ours that the part
+    has already. Returns the mesh object and the report. Throws UserError.
     """
     reading.refuse_gone(foreign, said("the FEM mesh of another maker"))
     if is_feature_mesh(foreign):
@@ -116,7 +118,7 @@ def adopt_mesh(foreign, part=None, size=None, progress=None):
         raise UserError(said("{foreign:text} is no FEM mesh", foreign=reading.describe(foreign)))
     part = part or adopt.part_of(foreign) or reading.find_meshable(foreign.Document)
     others = [mesh for mesh in meshes_of(foreign.Document) if versions.part_of(mesh) is part]
-    if others:
+    if others and in_place_of is None:
         raise UserError(said("{part:text} has a mesh already: {mesh:text}; delete one of the two",
                              part=reading.describe(part), mesh=reading.describe(others[0])))
     arrays = adopt.arrays_of(foreign)
@@ -128,7 +130,7 @@ def adopt_mesh(foreign, part=None, size=None, progress=None):
     except BaseException:
         mesh.Document.removeObject(mesh.Name)
         raise
-    _take_place_of(foreign, mesh)
+    _take_place_of([foreign] if in_place_of is None else [foreign, in_place_of], mesh)
     mesh.Proxy.renew_analysis_groups(mesh)
     mesh.purgeTouched()
     return mesh, report

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import FreeCAD
 import FreeCADGui as Gui
 
-from .. import api, versions
+from .. import adopt, api, reading, versions
 from ..errors import UserError
 from ..messages import said
 from ..mesh_object import is_feature_mesh
-from .base import MeshCommand
+from .base import MeshCommand, answer
+
+translate = FreeCAD.Qt.translate
 
 
 class Command(MeshCommand):
@@ -20,8 +23,20 @@ class Command(MeshCommand):
         selected = _foreign_meshes(Gui.Selection.getSelection(document.Name)) or _foreign_meshes(document.Objects)
         if len(selected) != 1:
             raise UserError(said("the document has several meshes, select the one to adopt: {meshes:text}", meshes=", ".join(mesh.Label for mesh in selected)))
-        mesh, _ = api.adopt_mesh(selected[0])
-        for obj in (selected[0], versions.part_of(mesh)):
+        part = adopt.part_of(selected[0]) or reading.find_meshable(document)
+        existing = [mesh for mesh in api.meshes_of(document) if versions.part_of(mesh) is part][-1:]
+        if not existing or self.may_take_place(part, existing[0]):
+            self.adopt(selected[0], part, *existing)
+
+    def may_take_place(self, part, mesh):
+        """The part has a mesh of ours: is the adopted one to take its place?"""
+        return answer(self.title, translate("FeatureMesh", "%s has the mesh %s already.") % (part.Label, mesh.Label),
+                      translate("FeatureMesh", "The adopted mesh can take its place; %s stays in the document.") % mesh.Label,
+                      {"take": translate("FeatureMesh", "Take its place")})
+
+    def adopt(self, foreign, part, existing=None):
+        mesh, _ = api.adopt_mesh(foreign, part, in_place_of=existing)
+        for obj in filter(None, (foreign, existing, versions.part_of(mesh))):
             obj.ViewObject.Visibility = False   # two things in one place flicker
         mesh.ViewObject.Visibility = True
         Gui.Selection.clearSelection()

@@ -5,6 +5,7 @@ import contextlib
 
 import FreeCAD
 import FreeCADGui as Gui
+from PySide import QtGui
 
 from .. import api, assembled, reading, resolving, versions
 from ..errors import UserError
@@ -54,6 +55,20 @@ class MeshCommand:
         from ..gui import errors
         meshes = _selected_meshes(document) or api.meshes_of(document)
         errors.show(error, versions.part_of(meshes[0]) if len(meshes) == 1 else None)
+
+
+def answer(title, text, more, choices):
+    """The key of the choice that was clicked in a message box, the first by default; None for Cancel."""
+    box = QtGui.QMessageBox(Gui.getMainWindow())
+    box.setWindowTitle(title)
+    box.setText(text)
+    box.setInformativeText(more)
+    roles = [QtGui.QMessageBox.AcceptRole, QtGui.QMessageBox.ActionRole]
+    buttons = {key: box.addButton(choice, role) for (key, choice), role in zip(choices.items(), roles)}
+    box.addButton(QtGui.QMessageBox.Cancel)
+    box.setDefaultButton(next(iter(buttons.values())))
+    box.exec_()
+    return next((key for key, button in buttons.items() if box.clickedButton() is button), None)
 
 
 def selected_mesh(document):

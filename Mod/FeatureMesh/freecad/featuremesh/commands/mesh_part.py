@@ -2,12 +2,11 @@
 import FemGui
 import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtGui
 
 from .. import analyses, api, preferences
 from ..errors import UserError
 from ..messages import said
-from .base import MeshCommand, is_mesh_of, only_shown_part, selected_container, selected_part
+from .base import MeshCommand, answer, is_mesh_of, only_shown_part, selected_container, selected_part
 
 translate = FreeCAD.Qt.translate
 
@@ -29,18 +28,18 @@ class Command(MeshCommand):
             return
         selection = Gui.Selection.getSelection(document.Name)
         mesh = next((mesh for mesh in existing if mesh in selection), existing[0])
-        answer = self.ask(part, mesh)
-        if answer == "open":
+        chosen = self.ask(part, mesh)
+        if chosen == "open":
             _open(mesh)
-        elif answer == "add":
+        elif chosen == "add":
             self.add(document, part)
 
     def add_first(self, document, part):
         """Adds a mesh; where its analysis has the mesh of another maker it is asked which of them is solved."""
         found = analyses.other_makers_mesh(document, FemGui.getActiveAnalysis())
-        answer = self.ask_whose_place(*found) if found else "keep"
-        if answer is not None:
-            self.add(document, part, found[1] if answer == "take" else None)
+        chosen = self.ask_whose_place(*found) if found else "keep"
+        if chosen is not None:
+            self.add(document, part, found[1] if chosen == "take" else None)
 
     def add(self, document, part, in_place_of=None):
         """Adds a mesh; the panel's OK and Apply end the transaction, Cancel takes it back."""
@@ -56,27 +55,14 @@ class Command(MeshCommand):
 
     def ask(self, part, mesh):
         """The part has a mesh: "open" that, "add" another one, or None."""
-        return self._answer(translate("FeatureMesh", "%s has the mesh %s already.") % (part.Label, mesh.Label), "",
+        return answer(self.title, translate("FeatureMesh", "%s has the mesh %s already.") % (part.Label, mesh.Label), "",
                             {"open": translate("FeatureMesh", "Open it"), "add": translate("FeatureMesh", "Add another mesh")})
 
     def ask_whose_place(self, analysis, mesh):
         """The analysis has a mesh that is not ours: "take" its place, "keep" it there, or None."""
-        return self._answer(translate("FeatureMesh", "%s has the mesh %s, and an analysis is solved with one mesh.") % (analysis.Label, mesh.Label),
+        return answer(self.title, translate("FeatureMesh", "%s has the mesh %s, and an analysis is solved with one mesh.") % (analysis.Label, mesh.Label),
                             translate("FeatureMesh", "The new mesh can take its place, with its refinements, groups and size; %s stays in the document.") % mesh.Label,
                             {"take": translate("FeatureMesh", "Take its place"), "keep": translate("FeatureMesh", "Leave it there")})
-
-    def _answer(self, text, more, choices):
-        """The key of the choice that was clicked, the first by default; None for Cancel."""
-        box = QtGui.QMessageBox(Gui.getMainWindow())
-        box.setWindowTitle(self.title)
-        box.setText(text)
-        box.setInformativeText(more)
-        roles = [QtGui.QMessageBox.AcceptRole, QtGui.QMessageBox.ActionRole]
-        buttons = {key: box.addButton(choice, role) for (key, choice), role in zip(choices.items(), roles)}
-        box.addButton(QtGui.QMessageBox.Cancel)
-        box.setDefaultButton(next(iter(buttons.values())))
-        box.exec_()
-        return next((key for key, button in buttons.items() if box.clickedButton() is button), None)
 
 
 def _open(mesh):

@@ -515,6 +515,10 @@
       <translation>Seinen Platz nehmen</translation>
     </message>
     <message>
+      <source>The adopted mesh can take its place; %s stays in the document.</source>
+      <translation>Das übernommene Netz kann seinen Platz nehmen; %s bleibt im Dokument.</translation>
+    </message>
+    <message>
       <source>The expression %s drives this; change it in the property editor</source>
       <translation>Der Ausdruck %s bestimmt dies; im Eigenschafteneditor ändern</translation>
     </message>
