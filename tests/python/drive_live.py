@@ -356,6 +356,15 @@ def check_freecads_own(document, live_panel, live):
     live.ViewObject.Visibility = True
 
 
+def check_beside_a_pipeline(document, live):
+    """Of the live result and FreeCAD's pipeline, which are in one place, that is seen which was shown last."""
+    pipeline = document.addObject("Fem::FemPostPipeline", "Pipeline")
+    for shown, hidden in ((pipeline, live), (live, pipeline), (pipeline, live), (live, pipeline)):
+        shown.ViewObject.Visibility = True
+        assert shown.ViewObject.Visibility and not hidden.ViewObject.Visibility, (shown.Name, hidden.Name)
+    document.removeObject(pipeline.Name)
+
+
 def check_ends(document, live):
     """The drawing is there without the panel, is hidden with the eye in the tree, and the panel closes with the object."""
     spin()
@@ -499,6 +508,7 @@ def drive():
     check_free_motion(document, shown, live)
     check_ten_nodes(document, shown, live, mesh)
     check_freecads_own(document, shown, live)
+    check_beside_a_pipeline(document, live)
     check_ends(document, live)
     check_undone(document, analysis, mesh)
     mesh = check_mesh_deleted(document, mesh)

@@ -8,7 +8,8 @@ from .. import analyses, api, assembled, versions
 from ..live_result import is_live_result
 from ..mesh_object import is_feature_mesh
 
-_DRAWN_BY_FEM = ("Fem::FemMeshObject", "Fem::FemPostObject")   # meshes, those of results too, and pipelines
+_POST = "Fem::FemPostObject"   # pipelines and their filters
+_DRAWN_BY_FEM = ("Fem::FemMeshObject", _POST)   # meshes, those of results too
 
 
 def show_part(part):
@@ -90,6 +91,13 @@ class _Observer:
             place = obj.Document.Name, obj.Name
             QtCore.QTimer.singleShot(0, lambda: self._show(place, choices))   # what is shown belongs to no step of undo
 
+    def slotCreatedObject(self, obj):
+        _hide_what_it_covers(obj)
+
+    def slotChangedObject(self, obj, name):
+        if name == "Visibility" and not FreeCAD.isRestoring() and not obj.Document.Transacting:
+            _hide_what_it_covers(obj)
+
     def slotUndoDocument(self, document):
         name = document.Name   # it may be closed at once
         QtCore.QTimer.singleShot(0, lambda: self._hide(name))
@@ -114,6 +122,13 @@ class _Observer:
         for place in [place for place in self._shown if place[0] == name and document is not None]:
             if document.getObject(place[1]) is not None:
                 _set_visible(_there(document, self._shown.pop(place)), False)
+
+
+def _hide_what_it_covers(obj):
+    """Of live results and what FreeCAD draws of results in their place that is seen which was shown last."""
+    is_drawn = obj.isDerivedFrom(_POST)
+    if obj.Visibility and (is_drawn or is_live_result(obj)):
+        _set_visible([other for other in obj.Document.Objects if other.Visibility and (is_live_result(other) if is_drawn else other.isDerivedFrom(_POST))], False)
 
 
 def _hidden_behind(obj):
