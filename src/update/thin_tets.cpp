@@ -2,7 +2,10 @@
 #include "update/thin_tets.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
+#include <set>
 
 #include "brep/brep.h"
 #include "core/ids.h"
@@ -77,6 +80,55 @@ class ForcingDetails {
     std::size_t tet_count_ = 0;
 };
 
+/// The faces that each corner of the tet is on.
+std::array<std::set<FaceId>, 4> faces_at_corners(const Mesh& mesh, TetId tet) {
+    std::array<std::set<FaceId>, 4> faces;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (const NodeId n : mesh.triangles[t])
+            for (std::size_t i = 0; i < 4; ++i)
+                if (mesh.tets[tet.index()][i] == n) faces[i].insert(mesh.triangle_faces[t]);
+    return faces;
+}
+
+/// The edges and vertices of a face.
+std::set<Entity> border_of(const Mesh& mesh, const ShortSides& sides, FaceId face) {
+    std::set<Entity> border;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (mesh.triangle_faces[t] != face) continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const NodeId a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
+            if (mesh.entities[a.index()].dim == 0) border.insert(mesh.entities[a.index()]);
+            const std::int32_t segment = sides.segment_at(a, b);
+            if (segment >= 0) border.insert(entity_of(mesh.segment_edges[static_cast<std::size_t>(segment)]));
+        }
+    }
+    return border;
+}
+
+/// Have they a vertex in common and no edge? Then the faces touch each other there.
+bool touch(const std::set<Entity>& one, const std::set<Entity>& other) {
+    std::vector<Entity> common;
+    std::set_intersection(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(common));
+    return !common.empty() && common.back().dim == 0;
+}
+
+/// Two faces that touch each other and between which the tet lies; empty where there are none.
+std::vector<Entity> touching_faces(const Mesh& mesh, TetId tet) {
+    const auto at_corners = faces_at_corners(mesh, tet);
+    const ShortSides sides(mesh);
+    std::map<FaceId, std::set<Entity>> borders;
+    for (const auto& faces : at_corners)
+        for (const FaceId face : faces)
+            if (borders.count(face) == 0) borders[face] = border_of(mesh, sides, face);
+    for (const auto& [a, border_of_a] : borders)
+        for (const auto& [b, border_of_b] : borders) {
+            const auto is_on = [a = a, b = b](const auto& faces) { return faces.count(a) > 0 || faces.count(b) > 0; };
+            if (a < b && std::all_of(at_corners.begin(), at_corners.end(), is_on) && touch(border_of_a, border_of_b))
+                return {entity_of(a), entity_of(b)};
+        }
+    return {};
+}
+
 }  // namespace
 
 std::vector<Message> warnings_of_thin_tets(const Mesh& mesh, const QualityReport& quality) {
@@ -85,9 +137,11 @@ std::vector<Message> warnings_of_thin_tets(const Mesh& mesh, const QualityReport
     const ForcingDetails details(mesh);
     if (details.tet_count() > 0)
         lines.push_back(say<Code::details_force_angles>(details.tet_count(), details.listed()));
-    if (!details.force(quality.worst))
-        lines.push_back(
-            say<Code::smallest_angle>(rounded(quality.min_dihedral, 2), lowest_entity(mesh, quality.worst)));
+    if (details.force(quality.worst)) return lines;
+    const double angle = rounded(quality.min_dihedral, 2);
+    const std::vector<Entity> faces = touching_faces(mesh, quality.worst);
+    lines.push_back(faces.empty() ? say<Code::smallest_angle>(angle, lowest_entity(mesh, quality.worst))
+                                  : say<Code::faces_touch>(faces[0], faces[1], angle));
     return lines;
 }
 

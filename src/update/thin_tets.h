@@ -10,8 +10,8 @@
 
 namespace featuremesh {
 
-/// Names the details of the part that force angles below 2 degrees, shortest first, and where the smallest angle is if
-/// nothing forces it. Empty where all angles are larger.
+/// Names the details of the part that force angles below 2 degrees, shortest first, and, if nothing forces the smallest
+/// angle, where that is, or the two faces that touch each other there. Empty where all angles are larger.
 std::vector<Message> warnings_of_thin_tets(const Mesh& mesh, const QualityReport& quality);
 
 }  // namespace featuremesh

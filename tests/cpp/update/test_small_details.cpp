@@ -10,6 +10,7 @@
 #include "part_documents.h"
 #include "part_meshes.h"
 #include "update/fill_part.h"
+#include "update/thin_tets.h"
 
 using namespace featuremesh;
 
@@ -32,7 +33,36 @@ bool are_same_bytes(const Mesh& a, const Mesh& b) {
     return a.points == b.points && a.tets == b.tets && a.triangles == b.triangles && a.entities == b.entities;
 }
 
+/// A flat tet between two faces with a vertex in common, and an edge from it as well if `share_edge`.
+Mesh thin_wedge(bool share_edge) {
+    Mesh mesh;
+    const NodeId shared = mesh.add_node({0, 0, 0}, entity_of(VertexId(0)));
+    const NodeId a = mesh.add_node({1, 0, 0}, share_edge ? entity_of(VertexId(1)) : entity_of(FaceId(0)));
+    const NodeId b = mesh.add_node({0, 1, 0}, entity_of(FaceId(0))),
+                 c = mesh.add_node({1, 1, 1e-3}, entity_of(FaceId(1)));
+    mesh.corner_count = mesh.node_count();
+    if (share_edge) mesh.add_segment({shared, a}, EdgeId(0));
+    mesh.triangles = {{shared, b, a}, {shared, a, c}};
+    mesh.triangle_faces = {FaceId(0), FaceId(1)};
+    mesh.tets = {{shared, a, b, c}};
+    mesh.tet_solids = {SolidId(0)};
+    return mesh;
+}
+
 }  // namespace
+
+TEST_CASE("two faces that touch each other are named where the tets between them are thin") {
+    QualityReport quality;
+    quality.worst = TetId(0);
+    quality.min_dihedral = 0.1;
+    const auto code = [&](bool share_edge) {
+        const auto lines = warnings_of_thin_tets(thin_wedge(share_edge), quality);
+        REQUIRE(lines.size() == 1);
+        return lines[0].code();
+    };
+    CHECK(code(false) == Code::faces_touch);
+    CHECK(code(true) == Code::smallest_angle);
+}
 
 TEST_CASE("a rod that is far thinner than the size is meshed in both orders, which is said once") {
     const auto rod = [](double length) { return PartDocument().cylinder("Rod", {0, 0, 0}, 1, length).finish(); };

@@ -1525,6 +1525,10 @@
       <translation>{object:text}: {now:entities} gibt es wieder, der Bezug ist wie vorher</translation>
     </message>
     <message>
+      <source>{one:entities} and {other:entities} touch each other where no edge joins them: the part has no thickness there, the smallest angle of an element is {angle:number} degrees, and results there are poor. Move one of the two, so that they cut each other or are apart.</source>
+      <translation>{one:entities} und {other:entities} berühren einander, wo keine Kante sie verbindet: Das Teil hat dort keine Dicke, der kleinste Winkel eines Elements ist {angle:number} Grad, und Ergebnisse dort sind ungenau. Eine der beiden verschieben, sodass sie einander schneiden oder Abstand haben.</translation>
+    </message>
+    <message>
       <source>{one:text} and {other:text} overlap; parts that are joined may only touch</source>
       <translation>{one:text} und {other:text} überlappen sich; Bauteile, die verbunden werden, dürfen sich nur berühren</translation>
     </message>
