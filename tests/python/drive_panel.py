@@ -201,7 +201,8 @@ def fields_of(settings):
 
 
 def check_undo_while_open(document, mesh):
-    """Undo and redo change the fields of the open panel, too, so that the next Apply does not bring back what was undone."""
+    """Settings and the mesh made with them are one step. Undo and redo change the fields of the open panel, too, so that the next Apply does not bring
+    back what was undone."""
     mesh.ViewObject.doubleClicked()
     spin()
     settings = panel("MeshPanel")
@@ -218,18 +219,15 @@ def check_undo_while_open(document, mesh):
     click_in_panel("Apply")
     wait_for(lambda: settings.running is None)
     changed = mesh.TetCount
-    for _ in range(2):   # the mesh, then the settings
-        Gui.runCommand("Std_Undo")
-        spin()
+    Gui.runCommand("Std_Undo")
+    spin()
     assert fields_of(settings) == before and mesh.TetCount == count, (before, fields_of(settings))
     wait_for(lambda: settings.status.text() == "Status: up to date")
-    for _ in range(2):
-        Gui.runCommand("Std_Redo")
-        spin()
+    Gui.runCommand("Std_Redo")
+    spin()
     assert fields_of(settings) == after and mesh.TetCount == changed, (after, fields_of(settings))
-    for _ in range(2):
-        Gui.runCommand("Std_Undo")
-        spin()
+    Gui.runCommand("Std_Undo")
+    spin()
     mesh.Growth = 1.333   # in the property editor; more digits than the field shows
     wait_for(lambda: settings.growth.text() == "1.33")
     assert "settings changed" in settings.status.text(), settings.status.text()

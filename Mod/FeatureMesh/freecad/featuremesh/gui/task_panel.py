@@ -39,6 +39,8 @@ class MeshPanel:
     def __init__(self, mesh):
         self.mesh = mesh
         self.is_new = mesh.Status == NOT_MESHED and mesh.Document.HasPendingTransaction
+        self._unmeshed_settings = {}
+        self._is_taking_back = False
         self._close_when_done = False
         self.running = None
         self.job = None
@@ -294,8 +296,12 @@ class MeshPanel:
         if not changed:
             return
         with self._undo_step(translate("FeatureMesh", "Mesh settings")):
-            for name, value in changed.items():
-                setattr(self.mesh, name, value)
+            self._set(changed)
+        self._unmeshed_settings = changed
+
+    def _set(self, values):
+        for name, value in values.items():
+            setattr(self.mesh, name, value)
 
     def _undo_step(self, title):
         """What changes the mesh; a new one is within the step that adds it."""
@@ -330,7 +336,7 @@ class MeshPanel:
             return
         if name in ("Status", "Report"):
             self._follow_timer.start(0)
-        elif name in self._fields and self._differs(name, self._wanted()[name]):
+        elif name in self._fields and not self._is_taking_back and self._differs(name, self._wanted()[name]):
             self._fields[name](getattr(getattr(mesh, name), "Value", getattr(mesh, name)))
             self._settings_changed()
 
@@ -388,7 +394,11 @@ class MeshPanel:
     def _finish(self):
         """The new mesh into the document, as one undo step; that of a new object holds the object, too."""
         document = self.mesh.Document
+        self._is_taking_back = True   # what is typed meanwhile stays
+        settings = self._take_back_settings()
         with self._undo_step(translate("FeatureMesh", "Mesh of %s") % self.mesh.Label):
+            self._set(settings)
+            self._is_taking_back = False
             self.mesh.Proxy.finish(self.mesh, self.job)
         if self.is_new:
             document.commitTransaction()
@@ -396,6 +406,15 @@ class MeshPanel:
         self.mesh.purgeTouched()
         show_mesh(self.mesh)
         self._show_result()
+
+    def _take_back_settings(self):
+        """The settings that were not meshed with yet, if setting them was the last step of undo: they go into that of their mesh."""
+        settings, self._unmeshed_settings = self._unmeshed_settings, {}
+        is_last = settings and not self.is_new and self.mesh.Document.UndoNames[:1] == [translate("FeatureMesh", "Mesh settings")]
+        if not is_last or any(self._differs(name, value) for name, value in settings.items()):
+            return {}
+        self.mesh.Document.undo()
+        return settings
 
     def _set_running(self, running):
         self.full_button.setEnabled(not running)
