@@ -10,6 +10,7 @@
 
 #include "core/geometry.h"
 #include "sizing/sizing_field.h"
+#include "sizing/source_ball.h"
 #include "sizing/source_tree.h"
 
 namespace featuremesh {

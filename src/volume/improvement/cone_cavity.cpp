@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "volume/tets/flatness_of_four.h"
+
 namespace featuremesh {
 
 void ConeCavity::reset(std::span<const int> start, int apex, const Vec3& point) {
