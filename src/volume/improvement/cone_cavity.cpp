@@ -35,7 +35,6 @@ void ConeCavity::take_in(int tet) {
     }
 }
 
-/// A star is grown from towards each of its neighbours in turn.
 double ConeCavity::worst_of(std::span<const int> start) {
     if (!std::equal(start.begin(), start.end(), last_start_.begin(), last_start_.end())) {
         last_start_.assign(start.begin(), start.end());

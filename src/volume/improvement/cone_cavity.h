@@ -33,8 +33,8 @@ class ConeCavity {
     /// it replaces.
     bool grow(std::span<const int> start, int apex, const Vec3& point);
 
-    /// Takes these tets and no others, to be filled from a new point that climbs from here.
-    void open(std::span<const int> start, const Vec3& point) { reset(start, -1, point); }
+    /// Takes these tets and no others, as they are now, to be filled from a new point that climbs from here.
+    void open(std::span<const int> start, const Vec3& point) { last_start_.clear(), reset(start, -1, point); }
 
     /// For tets that are too thin: grows until a new point sees the whole outside, moves the point, and takes in the
     /// tets behind the thinnest cones, in turns; up to 240 tets. Calls `consider` for every cavity that may do.
@@ -68,6 +68,7 @@ class ConeCavity {
     void remove_face(int tet, int face);
     /// The cones over the triangles that are new since the last call.
     void measure_new_cones();
+    /// A star is grown from towards each of its neighbours in turn: known if it is the last one.
     double worst_of(std::span<const int> start);
     void gather_shape();
     Value value_of_cones();

@@ -58,6 +58,22 @@ TEST_CASE("cones over the outside of a grown cavity fill it exactly") {
     CHECK(refills > 20);
 }
 
+TEST_CASE("what a cavity was worth is looked at again when the tets may have changed") {
+    TetComplex box = box_of_tets(4, 0.1, 3);
+    const Objective objective = objective_for(30);
+    ConeCavity cavity(box, objective);
+    const int centre = 62;
+    std::vector<int> star;
+    gather_star(box, centre, star);
+    const auto worst = [&] { return objective.value(box, star).worst; };
+    const Vec3 place = box.points[centre];
+    cavity.open(star, place);
+    CHECK(cavity.worst_before() == worst());
+    box.points[centre] += Vec3{0.1, 0.05, 0.15};
+    cavity.open(star, place);
+    CHECK(cavity.worst_before() == worst());
+}
+
 TEST_CASE("planning a refill changes nothing") {
     TetComplex box = box_of_tets(4, 0.24, 5);
     const TetComplex before = box;
