@@ -356,13 +356,19 @@ def check_freecads_own(document, live_panel, live):
     live.ViewObject.Visibility = True
 
 
-def check_beside_a_pipeline(document, live):
-    """Of the live result and FreeCAD's pipeline, which are in one place, that is seen which was shown last."""
+def check_beside_a_pipeline(document, analysis, live):
+    """Of the live result and FreeCAD's pipeline, which are in one place, that is seen which was shown last. Another analysis is in another place."""
     pipeline = document.addObject("Fem::FemPostPipeline", "Pipeline")
-    for shown, hidden in ((pipeline, live), (live, pipeline), (pipeline, live), (live, pipeline)):
+    analysis.addObject(pipeline)
+    assert pipeline.ViewObject.Visibility and not live.ViewObject.Visibility
+    for shown, hidden in ((live, pipeline), (pipeline, live), (live, pipeline)):
         shown.ViewObject.Visibility = True
         assert shown.ViewObject.Visibility and not hidden.ViewObject.Visibility, (shown.Name, hidden.Name)
-    document.removeObject(pipeline.Name)
+    elsewhere = ObjectsFem.makeAnalysis(document)
+    elsewhere.addObject(document.addObject("Fem::FemPostPipeline", "Elsewhere"))
+    assert live.ViewObject.Visibility and elsewhere.Group[0].ViewObject.Visibility
+    for obj in (pipeline, elsewhere.Group[0], elsewhere):
+        document.removeObject(obj.Name)
 
 
 def check_ends(document, live):
@@ -508,7 +514,7 @@ def drive():
     check_free_motion(document, shown, live)
     check_ten_nodes(document, shown, live, mesh)
     check_freecads_own(document, shown, live)
-    check_beside_a_pipeline(document, live)
+    check_beside_a_pipeline(document, analysis, live)
     check_ends(document, live)
     check_undone(document, analysis, mesh)
     mesh = check_mesh_deleted(document, mesh)

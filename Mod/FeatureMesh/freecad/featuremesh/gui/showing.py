@@ -91,12 +91,13 @@ class _Observer:
             place = obj.Document.Name, obj.Name
             QtCore.QTimer.singleShot(0, lambda: self._show(place, choices))   # what is shown belongs to no step of undo
 
-    def slotCreatedObject(self, obj):
-        _hide_what_it_covers(obj)
-
     def slotChangedObject(self, obj, name):
-        if name == "Visibility" and not FreeCAD.isRestoring() and not obj.Document.Transacting:
+        if name not in ("Visibility", "Group") or FreeCAD.isRestoring() or obj.Document.Transacting:
+            return
+        if name == "Visibility":
             _hide_what_it_covers(obj)
+        elif obj.isDerivedFrom("Fem::FemAnalysis") and obj.Group:
+            _hide_what_it_covers(obj.Group[-1])   # what was added last
 
     def slotUndoDocument(self, document):
         name = document.Name   # it may be closed at once
@@ -125,10 +126,16 @@ class _Observer:
 
 
 def _hide_what_it_covers(obj):
-    """Of live results and what FreeCAD draws of results in their place that is seen which was shown last."""
+    """Of the live results of an analysis and what FreeCAD draws of its results, in the same place, that is seen which was shown last."""
     is_drawn = obj.isDerivedFrom(_POST)
     if obj.Visibility and (is_drawn or is_live_result(obj)):
-        _set_visible([other for other in obj.Document.Objects if other.Visibility and (is_live_result(other) if is_drawn else other.isDerivedFrom(_POST))], False)
+        holding = _analyses_above(obj)
+        others = [other for other in obj.Document.Objects if other.Visibility and (is_live_result(other) if is_drawn else other.isDerivedFrom(_POST))]
+        _set_visible([other for other in others if holding & _analyses_above(other)], False)
+
+
+def _analyses_above(obj):
+    return {above for above in obj.InListRecursive if above.isDerivedFrom("Fem::FemAnalysis")}
 
 
 def _hidden_behind(obj):
