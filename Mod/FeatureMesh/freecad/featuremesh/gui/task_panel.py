@@ -410,10 +410,11 @@ class MeshPanel:
     def _take_back_settings(self):
         """The settings that were not meshed with yet, if setting them was the last step of undo: they go into that of their mesh."""
         settings, self._unmeshed_settings = self._unmeshed_settings, {}
-        is_last = settings and not self.is_new and self.mesh.Document.UndoNames[:1] == [translate("FeatureMesh", "Mesh settings")]
+        document = self.mesh.Document
+        is_last = settings and not document.HasPendingTransaction and document.UndoNames[:1] == [translate("FeatureMesh", "Mesh settings")]
         if not is_last or any(self._differs(name, value) for name, value in settings.items()):
             return {}
-        self.mesh.Document.undo()
+        document.undo()
         return settings
 
     def _set_running(self, running):
