@@ -1,36 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "update/kept_entities.h"
 
-#include <BRepAdaptor_Surface.hxx>
-#include <BRep_Tool.hxx>
-#include <Geom2d_Curve.hxx>
-#include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "brep/occt_geometry.h"
 #include "difference/feature_difference.h"
+#include "surface/face_parameters.h"
 #include "update/entity_finder.h"
 
 namespace featuremesh {
-
-namespace {
-
-/// Where a search on a free-form face may start: the parameters of a point of its border. None on other faces, which
-/// need no search, and where the edge is not of the face.
-std::optional<std::array<double, 2>> parameters_on(const TopoDS_Face& face, const TopoDS_Edge& edge, double t) {
-    if (BRepAdaptor_Surface(face, false).GetType() <= GeomAbs_Torus) return {};
-    double first = 0, last = 0;
-    const Handle(Geom2d_Curve) trace = BRep_Tool::CurveOnSurface(edge, face, first, last);
-    if (trace.IsNull()) return {};
-    const gp_Pnt2d uv = trace->Value(t);
-    return std::array{uv.X(), uv.Y()};
-}
-
-}  // namespace
 
 KeptEntities::KeptEntities(const CarriedNodes& nodes)
     : nodes_(nodes),
@@ -182,10 +162,10 @@ bool KeptEntities::is_flipped(std::size_t triangle, FaceId face) const {
     const auto inner =
         std::find_if(nodes.begin(), nodes.end(), [&](NodeId n) { return entities_[n.index()] == entity_of(face); });
     std::optional<std::array<double, 2>> at_border;
-    for (const NodeId n : nodes)
-        if (const Entity on = entities_[n.index()]; !at_border && inner == nodes.end() && on.dim == 1)
-            at_border =
-                parameters_on(in_.new_brep.face(face), in_.new_brep.edge(EdgeId(on.index)), parameters_[n.index()][0]);
+    if (inner == nodes.end() && projector_.needs_search(face))
+        for (const NodeId n : nodes)
+            if (const Entity on = entities_[n.index()]; !at_border && on.dim == 1)
+                at_border = parameters_on(in_.new_brep, face, EdgeId(on.index), parameters_[n.index()][0]);
     const std::array<double, 2> uv =
         inner != nodes.end() ? parameters_[inner->index()] : projector_.nearest(face, (a + b + c) / 3.0, at_border).uv;
     return dot(projector_.normal(face, uv), cross(b - a, c - a)) < 0;

@@ -16,10 +16,12 @@ struct FourVecs {
     Four x, y, z;
 };
 
-FEATUREMESH_INLINE void find_way(const double* corners, const Vec3& from, FourVecs& way) {
-    std::memcpy(&way.x, corners, sizeof way.x);
-    std::memcpy(&way.y, corners + 4, sizeof way.y);
-    std::memcpy(&way.z, corners + 8, sizeof way.z);
+/// From a point to a corner of each triangle.
+FEATUREMESH_INLINE void find_way(const FourTriangles& triangles, std::size_t corner, const Vec3& from, FourVecs& way) {
+    const auto* rows = triangles.rows.data() + 3 * corner;
+    std::memcpy(&way.x, rows[0].data(), sizeof way.x);
+    std::memcpy(&way.y, rows[1].data(), sizeof way.y);
+    std::memcpy(&way.z, rows[2].data(), sizeof way.z);
     way.x -= from.x, way.y -= from.y, way.z -= from.z;
 }
 FEATUREMESH_INLINE void find_cross(const FourVecs& a, const FourVecs& b, FourVecs& product) {
@@ -46,8 +48,7 @@ FEATUREMESH_INLINE void add_side(const FourVecs& from, const FourVecs& to, SideR
 FEATUREMESH_INLINE void find_flatness(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain,
                                       std::array<double, 4>& found) {
     FourVecs u, v, w, n1, n2, n3;
-    const double* corners = triangles.rows.front().data();
-    find_way(corners, point, u), find_way(corners + 12, point, v), find_way(corners + 24, point, w);
+    find_way(triangles, 0, point, u), find_way(triangles, 1, point, v), find_way(triangles, 2, point, w);
     find_cross(v, w, n1), find_cross(w, u, n2), find_cross(u, v, n3);
     Four s1, s2, s3, d12, d13, d23, volume, six_volumes;
     find_dot(n1, n1, s1), find_dot(n2, n2, s2), find_dot(n3, n3, s3);

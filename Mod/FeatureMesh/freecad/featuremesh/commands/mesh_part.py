@@ -56,13 +56,13 @@ class Command(MeshCommand):
     def ask(self, part, mesh):
         """The part has a mesh: "open" that, "add" another one, or None."""
         return answer(self.title, translate("FeatureMesh", "%s has the mesh %s already.") % (part.Label, mesh.Label), "",
-                            {"open": translate("FeatureMesh", "Open it"), "add": translate("FeatureMesh", "Add another mesh")})
+                      {"open": translate("FeatureMesh", "Open it"), "add": translate("FeatureMesh", "Add another mesh")})
 
     def ask_whose_place(self, analysis, mesh):
         """The analysis has a mesh that is not ours: "take" its place, "keep" it there, or None."""
         return answer(self.title, translate("FeatureMesh", "%s has the mesh %s, and an analysis is solved with one mesh.") % (analysis.Label, mesh.Label),
-                            translate("FeatureMesh", "The new mesh can take its place, with its refinements, groups and size; %s stays in the document.") % mesh.Label,
-                            {"take": translate("FeatureMesh", "Take its place"), "keep": translate("FeatureMesh", "Leave it there")})
+                      translate("FeatureMesh", "The new mesh can take its place, with its refinements, groups and size; %s stays in the document.") % mesh.Label,
+                      {"take": translate("FeatureMesh", "Take its place"), "keep": translate("FeatureMesh", "Leave it there")})
 
 
 def _open(mesh):
