@@ -131,35 +131,35 @@ StaticsSolution StaticsSolver::solve_ordered(const StaticsModel& model, RunConte
     const TetsOfNodes around = tets_of_nodes(model.mesh);
     StaticsSolution solution;
     solution.kept_preconditioner = prepare(model, around, context);
-    std::vector<double> resisting;
+    Resistance resistance = no_resistance(model.mesh);
     {
         RunContext::Step step(context, "solve");
         solution.displacements = model.given;
-        resisting.assign(model.given.size(), 0.0);
-        if (norm(model.given) > 0) resisting = resisting_forces(model, solution.displacements, around, context);
-        const std::vector<double> unbalanced = residual_of(model, resisting);
+        if (norm(model.given) > 0) resistance = resistance_to(solution.displacements, model, around, context);
+        const std::vector<double> unbalanced = residual_of(model, resistance.forces);
         if (norm(unbalanced) > 0) {
             const Start start = start_from_last(model, unbalanced, solution, context);
-            balance(model, around, unbalanced, start, solution, resisting, context);
+            balance(model, around, unbalanced, start, solution, resistance, context);
         }
     }
     RunContext::Step step(context, "stresses");
+    const std::vector<double>& resisting = resistance.forces;
     solution.reactions.assign(resisting.size(), 0.0);
     for (std::size_t i = 0; i < resisting.size(); ++i)
         if (model.is_held[i]) solution.reactions[i] = resisting[i] - model.loads[i];
     // The second product takes out what the first is wrong by in the first order of the error.
     solution.strain_energy =
         product(resisting, solution.displacements) / 2 + product(residual_of(model, resisting), solution.displacements);
-    solution.stresses = nodal_stresses(model, solution.displacements, around, context);
-    solution.discretisation_error = discretisation_error(model, solution.displacements, solution.stresses, context);
+    solution.stresses = nodal_stresses(model, resistance.inside, around, context);
+    solution.discretisation_error = discretisation_error(model, resistance.inside, solution.stresses, context);
     remember(model, solution);
     return solution;
 }
 
 /// Iterates, with better and better preconditioners, until what is left of the unbalanced forces is within the
-/// tolerance. `resisting` is what the displacements resist with, before and after.
+/// tolerance. `resistance` is that to the displacements, before and after.
 void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
-                            const Start& start, StaticsSolution& solution, std::vector<double>& resisting,
+                            const Start& start, StaticsSolution& solution, Resistance& resistance,
                             RunContext& context) {
     enum { carried, aggregated, linear_factor, final } by = solution.kept_preconditioner ? carried : aggregated;
     double whole = start.least_energy_norm;
@@ -171,7 +171,7 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
         const double left = solver_->energy_norm(residual);
         if (whole == 0 || left > good_start * whole) whole = whole_energy_norm(unbalanced);
         const double scale = is_displaced && is_of_elements
-                                 ? std::min(whole, scale_of(solution.displacements, resisting, whole))
+                                 ? std::min(whole, scale_of(solution.displacements, resistance.forces, whole))
                                  : whole;
         solution.residual = norm(residual) / norm(unbalanced);
         solution.energy_error = left / scale;
@@ -184,8 +184,8 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
         const auto [done, is_within] = rounds_left-- > 0
                                            ? move_by(model, residual, aim, solution.displacements, context)
                                            : LinearSolver::Solved{0, false};
-        resisting = resisting_forces(model, solution.displacements, around, context);
-        residual = residual_of(model, resisting);
+        resistance = resistance_to(solution.displacements, model, around, context);
+        residual = residual_of(model, resistance.forces);
         is_of_elements = true;
         solution.iterations += done;
         spent += done;

@@ -88,7 +88,7 @@ class StaticsSolver {
     void carry_over(const StaticsModel& model, const TetsOfNodes& around, std::vector<std::int32_t> origin,
                     RunContext& context);
     void balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
-                 const Start& start, StaticsSolution& solution, std::vector<double>& resisting, RunContext& context);
+                 const Start& start, StaticsSolution& solution, Resistance& resistance, RunContext& context);
     LinearSolver::Solved move_by(const StaticsModel& model, std::span<const double> residual,
                                  const LinearSolver::Aim& aim, std::vector<double>& displacements, RunContext& context);
     double whole_energy_norm(std::span<const double> unbalanced);

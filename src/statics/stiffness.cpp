@@ -2,6 +2,7 @@
 #include "statics/stiffness.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 
 #include "core/geometry.h"
@@ -89,72 +90,126 @@ BlockMatrix pattern_of(const Mesh& mesh, const TetsOfNodes& around, RunContext& 
     return matrix;
 }
 
-/// One node's three rows of the matrix while they are summed.
-class Rows {
-  public:
-    Rows(BlockMatrix& matrix, std::size_t node)
-        : neighbours_(matrix.neighbours.data() + matrix.begin(node), matrix.end(node) - matrix.begin(node)),
-          values_(matrix.values.data() + 9 * matrix.begin(node)) {}
-
-    void clear() { std::fill_n(values_, 9 * neighbours_.size(), 0.0); }
-
-    /// Adds the block of the row's shape function and another one's at one point: the part of div(stress) that
-    /// depends on it. `first` and `shear` are Lame's constants times the point's volume.
-    void add(NodeId other, const Vec3& ga, const Vec3& gb, double first, double shear) {
-        const auto at = std::find(neighbours_.begin(), neighbours_.end(), other.value) - neighbours_.begin();
-        const double along = shear * dot(ga, gb);
-        for (int r = 0; r < 3; ++r) {
-            double* row = this->row(r) + 3 * at;
-            for (int c = 0; c < 3; ++c) row[c] += first * ga[r] * gb[c] + shear * ga[c] * gb[r];
-            row[r] += along;
-        }
-    }
-
-    void hold(std::size_t node, const std::vector<char>& is_held) {
-        for (int r = 0; r < 3; ++r)
-            for (std::size_t k = 0; k < neighbours_.size(); ++k)
-                for (int c = 0; c < 3; ++c) {
-                    const auto other = std::size_t(neighbours_[k]);
-                    const bool is_diagonal = other == node && r == c;
-                    if (!is_diagonal && (is_held[3 * node + std::size_t(r)] || is_held[3 * other + std::size_t(c)]))
-                        row(r)[3 * k + std::size_t(c)] = 0;
-                }
-    }
-
-  private:
-    double* row(int r) { return values_ + std::size_t(r) * 3 * neighbours_.size(); }
-
-    std::span<const std::int32_t> neighbours_;
-    double* values_;
-};
-
 /// Lame's constants.
 struct Lame {
     double first, shear;
 };
 
-template <class ElementType>
-void add_element(const ElementType& element, const Lame& lame, std::size_t node, Rows& rows) {
-    const auto own =
-        std::size_t(std::find(element.nodes.begin(), element.nodes.end(), NodeId(node)) - element.nodes.begin());
-    for (const auto& point : element.points) {
-        const double first = lame.first * point.volume, shear = lame.shear * point.volume;
-        for (std::size_t b = 0; b < element.nodes.size(); ++b)
-            rows.add(element.nodes[b], point.gradients[own], point.gradients[b], first, shear);
-    }
+std::vector<Lame> lame_constants(const StaticsModel& model) {
+    std::vector<Lame> lame;
+    for (const Material& material : model.materials) lame.push_back({material.lame_first(), material.shear_modulus()});
+    return lame;
 }
 
-void fill_rows(const StaticsModel& model, const std::vector<Lame>& lame, const TetsOfNodes& around, std::size_t node,
-               BlockMatrix& matrix) {
-    Rows rows(matrix, node);
-    rows.clear();
-    for (auto t = around.starts[node]; t < around.starts[node + 1]; ++t) {
-        const auto tet = std::size_t(around.tets[std::size_t(t)]);
-        with_element(model.mesh, tet, [&](const auto& element) {
-            add_element(element, lame[std::size_t(model.tet_materials[tet])], node, rows);
-        });
+/// Three rows of an element's stiffness: that of one of its nodes.
+template <std::size_t node_count>
+using RowsOfNode = std::array<std::array<double, 3 * node_count>, 3>;
+
+/// The sum over the points of integration of volume, a node's gradient and all gradients.
+template <std::size_t node_count, std::size_t point_count>
+RowsOfNode<node_count> gradient_products(const Element<node_count, point_count>& element, std::size_t node) {
+    RowsOfNode<node_count> sums{};
+    for (const auto& [volume, gradients] : element.points)
+        for (std::size_t r = 0; r < 3; ++r) {
+            const double own = volume * gradients[node][int(r)];
+            for (std::size_t other = 0; other < node_count; ++other) {
+                sums[r][3 * other] += own * gradients[other].x;
+                sums[r][3 * other + 1] += own * gradients[other].y;
+                sums[r][3 * other + 2] += own * gradients[other].z;
+            }
+        }
+    return sums;
+}
+
+template <std::size_t node_count, std::size_t point_count>
+RowsOfNode<node_count> stiffness_of(const Element<node_count, point_count>& element, const Lame& lame,
+                                    std::size_t node) {
+    const RowsOfNode<node_count> products = gradient_products(element, node);
+    RowsOfNode<node_count> rows;
+    for (std::size_t i = 0; i < 3 * node_count; i += 3) {
+        const double along = lame.shear * (products[0][i] + products[1][i + 1] + products[2][i + 2]);
+        for (std::size_t r = 0; r < 3; ++r)
+            for (std::size_t c = 0; c < 3; ++c)
+                rows[r][i + c] =
+                    lame.first * products[r][i + c] + lame.shear * products[c][i + r] + (r == c ? along : 0);
     }
-    rows.hold(node, model.is_held);
+    return rows;
+}
+
+/// Sums rows of the matrix, over their tets in ascending order.
+class RowSums {
+  public:
+    /// The nodes whose rows are summed ascend.
+    RowSums(std::span<const std::size_t> nodes, BlockMatrix& matrix) : nodes_(nodes), matrix_(matrix) {
+        for (const std::size_t node : nodes)
+            std::fill_n(matrix.values.data() + matrix.place(node, matrix.begin(node)), 3 * matrix.width(node), 0.0);
+    }
+
+    template <class ElementType>
+    void add(const ElementType& element, const Lame& lame) {
+        for (std::size_t i = 0; i < element.nodes.size(); ++i)
+            if (const std::size_t node = element.nodes[i].index();
+                std::binary_search(nodes_.begin(), nodes_.end(), node))
+                add(node, element.nodes, stiffness_of(element, lame, i));
+    }
+
+    /// Rows and columns of held components get nothing but their diagonal value.
+    void hold(const std::vector<char>& is_held) {
+        for (const std::size_t node : nodes_)
+            for (std::size_t k = matrix_.begin(node); k < matrix_.end(node); ++k)
+                for (std::size_t r = 0; r < 3; ++r)
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        const auto row = 3 * node + r, column = 3 * std::size_t(matrix_.neighbours[k]) + c;
+                        if (row != column && (is_held[row] || is_held[column])) value(node, k, r)[c] = 0;
+                    }
+    }
+
+  private:
+    double* value(std::size_t node, std::size_t k, std::size_t r) {
+        return matrix_.values.data() + matrix_.place(node, k) + r * matrix_.width(node);
+    }
+
+    template <std::size_t count>
+    void add(std::size_t node, const std::array<NodeId, count>& others, const RowsOfNode<count>& rows) {
+        const std::int32_t* all = matrix_.neighbours.data();
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::int32_t* at =
+                std::lower_bound(all + matrix_.begin(node), all + matrix_.end(node), others[i].value);
+            for (std::size_t r = 0; r < 3; ++r) {
+                double* to = value(node, std::size_t(at - all), r);
+                for (std::size_t c = 0; c < 3; ++c) to[c] += rows[r][3 * i + c];
+            }
+        }
+    }
+
+    std::span<const std::size_t> nodes_;
+    BlockMatrix& matrix_;
+};
+
+/// The tets that have any of the nodes, ascending.
+std::vector<std::int32_t> tets_of(std::span<const std::size_t> nodes, const TetsOfNodes& around) {
+    std::vector<std::int32_t> tets;
+    for (const std::size_t node : nodes)
+        tets.insert(tets.end(), around.tets.begin() + around.starts[node],
+                    around.tets.begin() + around.starts[node + 1]);
+    std::sort(tets.begin(), tets.end());
+    tets.erase(std::unique(tets.begin(), tets.end()), tets.end());
+    return tets;
+}
+
+/// Fills the rows of ascending nodes. Those of a chunk share the gradients of their elements.
+void fill_rows(const StaticsModel& model, std::span<const std::size_t> nodes, const TetsOfNodes& around,
+               BlockMatrix& matrix, RunContext& context) {
+    const std::vector<Lame> lame = lame_constants(model);
+    parallel_for(context, nodes.size(), grain, [&](std::size_t begin, std::size_t end) {
+        const auto of_chunk = nodes.subspan(begin, end - begin);
+        RowSums rows(of_chunk, matrix);
+        for (const std::int32_t tet : tets_of(of_chunk, around))
+            with_element(model.mesh, std::size_t(tet), [&](const auto& element) {
+                rows.add(element, lame[std::size_t(model.tet_materials[std::size_t(tet)])]);
+            });
+        rows.hold(model.is_held);
+    });
 }
 
 /// Neighbours may follow one another in another order than in the earlier matrix.
@@ -172,16 +227,11 @@ void copy_rows(const EarlierRows& earlier, std::size_t node, BlockMatrix& matrix
     }
 }
 
-std::vector<Lame> lame_constants(const StaticsModel& model) {
-    std::vector<Lame> lame;
-    for (const Material& material : model.materials) lame.push_back({material.lame_first(), material.shear_modulus()});
-    return lame;
-}
-
-std::vector<std::size_t> other_rows(const SameRows& same) {
+/// Those of so many rows that are not taken from an earlier matrix.
+std::vector<std::size_t> other_rows(std::size_t count, const SameRows* same) {
     std::vector<std::size_t> others;
-    for (std::size_t node = 0; node < same.row.size(); ++node)
-        if (same.row[node] < 0) others.push_back(node);
+    for (std::size_t node = 0; node < count; ++node)
+        if (!same || same->row[node] < 0) others.push_back(node);
     return others;
 }
 
@@ -222,17 +272,18 @@ BlockMatrix assemble_stiffness(const StaticsModel& model, const TetsOfNodes& aro
     BlockMatrix matrix = pattern_of(model.mesh, around, context, earlier);
     matrix.values.reserve(9 * with_room(matrix.neighbours.size()));
     matrix.values.resize(9 * matrix.neighbours.size());
-    const std::vector<Lame> lame = lame_constants(model);
-    parallel_for(context, model.mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t node = begin; node < end; ++node)
-            is_same(earlier, node) ? copy_rows(*earlier, node, matrix) : fill_rows(model, lame, around, node, matrix);
-    });
+    if (earlier)
+        parallel_for(context, model.mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t node = begin; node < end; ++node)
+                if (is_same(earlier, node)) copy_rows(*earlier, node, matrix);
+        });
+    fill_rows(model, other_rows(model.mesh.node_count(), earlier ? &earlier->same : nullptr), around, matrix, context);
     return matrix;
 }
 
 BlockMatrix changed_stiffness(BlockMatrix earlier, const SameRows& same, const StaticsModel& model,
                               const TetsOfNodes& around, RunContext& context) {
-    const std::vector<std::size_t> others = other_rows(same);
+    const std::vector<std::size_t> others = other_rows(model.mesh.node_count(), &same);
     Neighbours found(others.size(), context,
                      [&](std::size_t i, auto& of) { gather_neighbours(model.mesh, around, others[i], of); });
     BlockMatrix matrix = std::move(earlier);
@@ -248,10 +299,7 @@ BlockMatrix changed_stiffness(BlockMatrix earlier, const SameRows& same, const S
         matrix.begins[others[i]] = at, matrix.ends[others[i]] = at += found.counts[i];
     found.move_behind(matrix.neighbours);
     matrix.values.resize(9 * blocks);
-    const std::vector<Lame> lame = lame_constants(model);
-    parallel_for(context, others.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) fill_rows(model, lame, around, others[i], matrix);
-    });
+    fill_rows(model, others, around, matrix, context);
     return matrix;
 }
 

@@ -42,27 +42,14 @@ Vec3 times(const Stress& s, const Vec3& g) {
 /// How many points of integration a tet has.
 std::size_t points_of_tet(const Mesh& mesh) { return mesh.order == 2 ? 4 : 1; }
 
-/// By tet the stresses at its points of integration.
-std::vector<Stress> stresses_inside(const StaticsModel& model, std::span<const double> displacements,
-                                    RunContext& context) {
-    std::vector<Stress> inside(points_of_tet(model.mesh) * model.mesh.tets.size());
-    parallel_for(context, model.mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tet = begin; tet < end; ++tet)
-            with_element(model.mesh, tet, [&](const auto& element) {
-                for (std::size_t p = 0; p < element.points.size(); ++p)
-                    inside[element.points.size() * tet + p] = stress_at(element, p, model.material(tet), displacements);
-            });
-    });
-    return inside;
-}
-
 /// The stresses of a 10-node tet, from those inside, continued to a place of it.
-Stress continued(std::span<const Stress> inside, const CornerWeights& weights, const std::array<std::size_t, 2>& to) {
+Stress continued(std::span<const StressInside> inside, const CornerWeights& weights,
+                 const std::array<std::size_t, 2>& to) {
     Stress there{};
     for (std::size_t p = 0; p < 4; ++p) {
         const double weight =
             ((p == to[0] ? weights.own : weights.other) + (p == to[1] ? weights.own : weights.other)) / 2;
-        for (std::size_t k = 0; k < 6; ++k) there[k] += weight * inside[p][k];
+        for (std::size_t k = 0; k < 6; ++k) there[k] += weight * inside[p].stress[k];
     }
     return there;
 }
@@ -101,46 +88,51 @@ Stress difference_at(const Mesh& mesh, std::size_t tet, std::size_t point, Stres
 
 }  // namespace
 
-std::vector<double> resisting_forces(const StaticsModel& model, std::span<const double> displacements,
-                                     const TetsOfNodes& around, RunContext& context) {
+Resistance no_resistance(const Mesh& mesh) {
+    return {std::vector<double>(3 * mesh.node_count(), 0.0),
+            std::vector<StressInside>(points_of_tet(mesh) * mesh.tets.size(), StressInside{})};
+}
+
+Resistance resistance_to(std::span<const double> displacements, const StaticsModel& model, const TetsOfNodes& around,
+                         RunContext& context) {
     const Mesh& mesh = model.mesh;
-    const std::size_t width = mesh.order == 2 ? 10 : 4;
+    const std::size_t width = mesh.order == 2 ? 10 : 4, points = points_of_tet(mesh);
     std::vector<Vec3> of_elements(width * mesh.tets.size());
+    Resistance resistance = no_resistance(mesh);
     parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tet = begin; tet < end; ++tet)
             with_element(mesh, tet, [&](const auto& element) {
-                for (std::size_t p = 0; p < element.points.size(); ++p) {
+                for (std::size_t p = 0; p < points; ++p) {
                     const auto& point = element.points[p];
                     const Stress stress = stress_at(element, p, model.material(tet), displacements);
+                    resistance.inside[points * tet + p] = {stress, point.volume};
                     for (std::size_t i = 0; i < element.nodes.size(); ++i)
                         of_elements[width * tet + i] += times(stress, point.gradients[i]) * point.volume;
                 }
             });
     });
-    std::vector<double> forces(3 * mesh.node_count(), 0.0);
     parallel_for(context, mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t node = begin; node < end; ++node)
             for (auto t = around.starts[node]; t < around.starts[node + 1]; ++t) {
                 const auto tet = std::size_t(around.tets[std::size_t(t)]);
                 const Vec3& force = of_elements[width * tet + place_in(mesh, tet, node)];
-                for (int c = 0; c < 3; ++c) forces[3 * node + std::size_t(c)] += force[c];
+                for (int c = 0; c < 3; ++c) resistance.forces[3 * node + std::size_t(c)] += force[c];
             }
     });
-    return forces;
+    return resistance;
 }
 
-std::vector<Stress> nodal_stresses(const StaticsModel& model, std::span<const double> displacements,
+std::vector<Stress> nodal_stresses(const StaticsModel& model, const std::vector<StressInside>& inside,
                                    const TetsOfNodes& around, RunContext& context) {
     const Mesh& mesh = model.mesh;
     const CornerWeights weights = corner_weights();
-    const std::vector<Stress> inside = stresses_inside(model, displacements, context);
     std::vector<Stress> stresses(mesh.node_count(), Stress{});
     parallel_for(context, mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t node = begin; node < end; ++node) {
             const auto count = double(around.starts[node + 1] - around.starts[node]);
             for (auto t = around.starts[node]; t < around.starts[node + 1]; ++t) {
                 const auto tet = std::size_t(around.tets[std::size_t(t)]);
-                const Stress there = mesh.order == 1 ? inside[tet]
+                const Stress there = mesh.order == 1 ? inside[tet].stress
                                                      : continued({inside.data() + 4 * tet, 4}, weights,
                                                                  corners_of(place_in(mesh, tet, node)));
                 for (std::size_t k = 0; k < 6; ++k) stresses[node][k] += there[k] / count;
@@ -150,24 +142,22 @@ std::vector<Stress> nodal_stresses(const StaticsModel& model, std::span<const do
     return stresses;
 }
 
-double discretisation_error(const StaticsModel& model, std::span<const double> displacements,
+double discretisation_error(const StaticsModel& model, const std::vector<StressInside>& inside,
                             const std::vector<Stress>& nodal, RunContext& context) {
     const Mesh& mesh = model.mesh;
     const CornerWeights weights = inner_weights();
+    const std::size_t points = points_of_tet(mesh);
     std::vector<std::array<double, 2>> of_tets(mesh.tets.size(), {0.0, 0.0});  // of the difference, of the solution
     parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tet = begin; tet < end; ++tet)
-            with_element(mesh, tet, [&](const auto& element) {
-                for (std::size_t p = 0; p < element.points.size(); ++p) {
-                    const Stress own = stress_at(element, p, model.material(tet), displacements);
-                    const double volume = element.points[p].volume;
-                    of_tets[tet][1] += volume * energy_density(own, model.material(tet));
-                    for (std::size_t at = p; at < 4; at += element.points.size())
-                        of_tets[tet][0] +=
-                            volume * double(element.points.size()) / 4 *
-                            energy_density(difference_at(mesh, tet, at, own, weights, nodal), model.material(tet));
-                }
-            });
+            for (std::size_t p = 0; p < points; ++p) {
+                const auto& [own, volume] = inside[points * tet + p];
+                of_tets[tet][1] += volume * energy_density(own, model.material(tet));
+                for (std::size_t at = p; at < 4; at += points)
+                    of_tets[tet][0] +=
+                        volume * double(points) / 4 *
+                        energy_density(difference_at(mesh, tet, at, own, weights, nodal), model.material(tet));
+            }
     });
     double difference = 0, solution = 0;
     for (const auto& [a, b] : of_tets) difference += a, solution += b;

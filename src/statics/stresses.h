@@ -15,19 +15,29 @@ namespace featuremesh {
 /// xx, yy, zz, xy, yz, zx; MPa.
 using Stress = std::array<double, 6>;
 
-/// The forces by which the elements resist the displacements, (n,3) N: the stiffness matrix times them, but element by
-/// element, without that matrix.
-std::vector<double> resisting_forces(const StaticsModel& model, std::span<const double> displacements,
-                                     const TetsOfNodes& around, RunContext& context);
+/// A stress at a point of integration, and the volume that this stands for, mm^3.
+struct StressInside {
+    Stress stress;
+    double volume;
+};
+
+/// How elements resist the displacements of their nodes.
+struct Resistance {
+    std::vector<double> forces;  ///< (n,3) N: the stiffness matrix times the displacements, but without that matrix
+    std::vector<StressInside> inside;  ///< by tet at its points of integration
+};
+Resistance no_resistance(const Mesh& mesh);
+Resistance resistance_to(std::span<const double> displacements, const StaticsModel& model, const TetsOfNodes& around,
+                         RunContext& context);
 
 /// Stresses at the nodes as CalculiX writes them: those of an element's points of integration are continued linearly to
 /// its nodes, and a node has the mean over its elements.
-std::vector<Stress> nodal_stresses(const StaticsModel& model, std::span<const double> displacements,
+std::vector<Stress> nodal_stresses(const StaticsModel& model, const std::vector<StressInside>& inside,
                                    const TetsOfNodes& around, RunContext& context);
 
 /// Estimate of how far the mesh keeps the solution from the true one: the energy norm of the difference between the
 /// elements' stresses and the nodes' means, over that of the solution (ZienkiewiczZhu1987).
-double discretisation_error(const StaticsModel& model, std::span<const double> displacements,
+double discretisation_error(const StaticsModel& model, const std::vector<StressInside>& inside,
                             const std::vector<Stress>& nodal, RunContext& context);
 
 double von_mises(const Stress& stress);

@@ -402,7 +402,7 @@ TEST_CASE("very flat 10-node tets are solved by a factor of their own matrix, wh
         std::vector<double> displacements;
         for (const Vec3& p : mesh.points)
             for (int c = 0; c < 3; ++c) displacements.push_back(bent(p)[c]);
-        model.loads = resisting_forces(model, displacements, tets_of_nodes(mesh), context);
+        model.loads = resistance_to(displacements, model, tets_of_nodes(mesh), context).forces;
         hold(model, [&](const Vec3& p) { return p.x == 0; });
         return model;
     };
@@ -441,7 +441,7 @@ TEST_CASE("supports that are displaced leave the same share of the energy open a
     std::vector<double> bent;
     for (const Vec3& p : mesh.points) bent.insert(bent.end(), {-bend * p.x * p.z, 0, bend * p.x * p.x / 2});
     RunContext context;
-    model.loads = resisting_forces(model, bent, tets_of_nodes(mesh), context);
+    model.loads = resistance_to(bent, model, tets_of_nodes(mesh), context).forces;
     double twice_energy = 0;
     for (std::size_t i = 0; i < bent.size(); ++i) twice_energy += model.loads[i] * bent[i];
     const auto is_end = [&](const Vec3& p) { return p.x == 0 || p.x == length; };
@@ -451,7 +451,7 @@ TEST_CASE("supports that are displaced leave the same share of the energy open a
     CHECK(found.strain_energy == Approx(twice_energy / 2).epsilon(1e-6));
     std::vector<double> off = found.displacements;
     for (std::size_t i = 0; i < off.size(); ++i) off[i] -= bent[i];
-    const std::vector<double> forces = resisting_forces(model, off, tets_of_nodes(mesh), context);
+    const std::vector<double> forces = resistance_to(off, model, tets_of_nodes(mesh), context).forces;
     double twice_energy_off = 0;
     for (std::size_t i = 0; i < off.size(); ++i) twice_energy_off += forces[i] * off[i];
     CHECK(std::sqrt(twice_energy_off / twice_energy) < 10 * StaticsSolver::tolerance);  // an estimate ends iterations
