@@ -44,9 +44,12 @@ class ClosePointCollapse : public CornerOperation {
                 std::replace(tet.begin(), tet.end(), v, onto);
                 tets_.push_back(tet);
             }
+            const auto is_no_better = [&](const Tet& tet) {
+                return objective_.flaw(complex_, tet) >= change.after.worst;
+            };
+            if (std::any_of(tets_.begin(), tets_.end(), is_no_better)) continue;
             const Value after = objective_.value(complex_, tets_);
-            if (after.worst >= change.after.worst || !objective_.is_better(change.before, after, change.price))
-                continue;
+            if (!objective_.is_better(change.before, after, change.price)) continue;
             change.after = after;
             change.added.swap(tets_);
             change.removed = star;
