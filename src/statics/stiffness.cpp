@@ -7,6 +7,7 @@
 
 #include "core/geometry.h"
 #include "core/ids.h"
+#include "core/sort_once.h"
 #include "statics/elements.h"
 
 namespace featuremesh {
@@ -192,8 +193,7 @@ std::vector<std::int32_t> tets_of(std::span<const std::size_t> nodes, const Tets
     for (const std::size_t node : nodes)
         tets.insert(tets.end(), around.tets.begin() + around.starts[node],
                     around.tets.begin() + around.starts[node + 1]);
-    std::sort(tets.begin(), tets.end());
-    tets.erase(std::unique(tets.begin(), tets.end()), tets.end());
+    sort_once(tets);
     return tets;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <utility>
 #include <variant>
 
@@ -225,12 +226,12 @@ class Filling {
     }
 
     static void note(const Improvement& done, const RunContext& context) {
-        std::string line = "improvement: " + std::to_string(done.before) + " bad, " + std::to_string(done.left) +
-                           " left, " + std::to_string(done.forced) + " of them forced;";
+        std::ostringstream line;
+        line << "improvement: " << done.before << " bad, " << done.left << " left, " << done.forced
+             << " of them forced;";
         for (const Improvement::Count& count : done.counts)
-            line += " " + std::string(count.operation) + " " + std::to_string(count.made) + " of " +
-                    std::to_string(count.planned);
-        context.log(line);
+            line << " " << count.operation << " " << count.made << " of " << count.planned;
+        context.log(line.str());
     }
 
     static Budget with_refills(const TetComplex& complex) {
