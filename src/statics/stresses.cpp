@@ -43,7 +43,7 @@ Vec3 times(const Stress& s, const Vec3& g) {
 std::size_t points_of_tet(const Mesh& mesh) { return mesh.order == 2 ? 4 : 1; }
 
 /// The stresses of a 10-node tet, from those inside, continued to a place of it.
-Stress continued(std::span<const StressInside> inside, const CornerWeights& weights,
+Stress continued(std::span<const InnerStress> inside, const CornerWeights& weights,
                  const std::array<std::size_t, 2>& to) {
     Stress there{};
     for (std::size_t p = 0; p < 4; ++p) {
@@ -90,7 +90,7 @@ Stress difference_at(const Mesh& mesh, std::size_t tet, std::size_t point, Stres
 
 Resistance no_resistance(const Mesh& mesh) {
     return {std::vector<double>(3 * mesh.node_count(), 0.0),
-            std::vector<StressInside>(points_of_tet(mesh) * mesh.tets.size(), StressInside{})};
+            std::vector<InnerStress>(points_of_tet(mesh) * mesh.tets.size(), InnerStress{})};
 }
 
 Resistance resistance_to(std::span<const double> displacements, const StaticsModel& model, const TetsOfNodes& around,
@@ -122,7 +122,7 @@ Resistance resistance_to(std::span<const double> displacements, const StaticsMod
     return resistance;
 }
 
-std::vector<Stress> nodal_stresses(const StaticsModel& model, const std::vector<StressInside>& inside,
+std::vector<Stress> nodal_stresses(const StaticsModel& model, const std::vector<InnerStress>& inside,
                                    const TetsOfNodes& around, RunContext& context) {
     const Mesh& mesh = model.mesh;
     const CornerWeights weights = corner_weights();
@@ -142,7 +142,7 @@ std::vector<Stress> nodal_stresses(const StaticsModel& model, const std::vector<
     return stresses;
 }
 
-double discretisation_error(const StaticsModel& model, const std::vector<StressInside>& inside,
+double discretisation_error(const StaticsModel& model, const std::vector<InnerStress>& inside,
                             const std::vector<Stress>& nodal, RunContext& context) {
     const Mesh& mesh = model.mesh;
     const CornerWeights weights = inner_weights();

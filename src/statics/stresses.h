@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/run_context.h"
+#include "mesh/mesh.h"
 #include "statics/model.h"
 #include "statics/stiffness.h"
 
@@ -16,7 +17,7 @@ namespace featuremesh {
 using Stress = std::array<double, 6>;
 
 /// A stress at a point of integration, and the volume that this stands for, mm^3.
-struct StressInside {
+struct InnerStress {
     Stress stress;
     double volume;
 };
@@ -24,7 +25,7 @@ struct StressInside {
 /// How elements resist the displacements of their nodes.
 struct Resistance {
     std::vector<double> forces;  ///< (n,3) N: the stiffness matrix times the displacements, but without that matrix
-    std::vector<StressInside> inside;  ///< by tet at its points of integration
+    std::vector<InnerStress> inside;  ///< by tet at its points of integration
 };
 Resistance no_resistance(const Mesh& mesh);
 Resistance resistance_to(std::span<const double> displacements, const StaticsModel& model, const TetsOfNodes& around,
@@ -32,12 +33,12 @@ Resistance resistance_to(std::span<const double> displacements, const StaticsMod
 
 /// Stresses at the nodes as CalculiX writes them: those of an element's points of integration are continued linearly to
 /// its nodes, and a node has the mean over its elements.
-std::vector<Stress> nodal_stresses(const StaticsModel& model, const std::vector<StressInside>& inside,
+std::vector<Stress> nodal_stresses(const StaticsModel& model, const std::vector<InnerStress>& inside,
                                    const TetsOfNodes& around, RunContext& context);
 
 /// Estimate of how far the mesh keeps the solution from the true one: the energy norm of the difference between the
 /// elements' stresses and the nodes' means, over that of the solution (ZienkiewiczZhu1987).
-double discretisation_error(const StaticsModel& model, const std::vector<StressInside>& inside,
+double discretisation_error(const StaticsModel& model, const std::vector<InnerStress>& inside,
                             const std::vector<Stress>& nodal, RunContext& context);
 
 double von_mises(const Stress& stress);
