@@ -131,7 +131,7 @@ StaticsSolution StaticsSolver::solve_ordered(const StaticsModel& model, RunConte
     const TetsOfNodes around = tets_of_nodes(model.mesh);
     StaticsSolution solution;
     solution.kept_preconditioner = prepare(model, around, context);
-    Resistance resistance = no_resistance(model.mesh);
+    Resistance resistance{std::vector<double>(model.given.size(), 0.0), {}};
     {
         RunContext::Step step(context, "solve");
         solution.displacements = model.given;
@@ -143,6 +143,7 @@ StaticsSolution StaticsSolver::solve_ordered(const StaticsModel& model, RunConte
         }
     }
     RunContext::Step step(context, "stresses");
+    if (resistance.inside.empty()) resistance = resistance_to(solution.displacements, model, around, context);
     const std::vector<double>& resisting = resistance.forces;
     solution.reactions.assign(resisting.size(), 0.0);
     for (std::size_t i = 0; i < resisting.size(); ++i)
@@ -184,6 +185,7 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
         const auto [done, is_within] = rounds_left-- > 0
                                            ? move_by(model, residual, aim, solution.displacements, context)
                                            : LinearSolver::Solved{0, false};
+        resistance = {};  // two at a time would take twice the memory
         resistance = resistance_to(solution.displacements, model, around, context);
         residual = residual_of(model, resistance.forces);
         is_of_elements = true;

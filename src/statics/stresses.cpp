@@ -88,17 +88,13 @@ Stress difference_at(const Mesh& mesh, std::size_t tet, std::size_t point, Stres
 
 }  // namespace
 
-Resistance no_resistance(const Mesh& mesh) {
-    return {std::vector<double>(3 * mesh.node_count(), 0.0),
-            std::vector<InnerStress>(points_of_tet(mesh) * mesh.tets.size(), InnerStress{})};
-}
-
 Resistance resistance_to(std::span<const double> displacements, const StaticsModel& model, const TetsOfNodes& around,
                          RunContext& context) {
     const Mesh& mesh = model.mesh;
     const std::size_t width = mesh.order == 2 ? 10 : 4, points = points_of_tet(mesh);
     std::vector<Vec3> of_elements(width * mesh.tets.size());
-    Resistance resistance = no_resistance(mesh);
+    Resistance resistance{std::vector<double>(3 * mesh.node_count(), 0.0),
+                          std::vector<InnerStress>(points * mesh.tets.size())};
     parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t tet = begin; tet < end; ++tet)
             with_element(mesh, tet, [&](const auto& element) {

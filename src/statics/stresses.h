@@ -27,7 +27,6 @@ struct Resistance {
     std::vector<double> forces;  ///< (n,3) N: the stiffness matrix times the displacements, but without that matrix
     std::vector<InnerStress> inside;  ///< by tet at its points of integration
 };
-Resistance no_resistance(const Mesh& mesh);
 Resistance resistance_to(std::span<const double> displacements, const StaticsModel& model, const TetsOfNodes& around,
                          RunContext& context);
 
