@@ -45,6 +45,11 @@ def refuse_too_fine(shape, size, growth, refinements):
         _refuse(total, entity, local, name, said("at most {most:count} million are made", most=round(MOST / 1e6)))
 
 
+def least_tets(shape, size):
+    """About how many elements that size asks for in the solids, without refinements and curved faces."""
+    return _PER_CUBE * shape.Volume / size ** 3
+
+
 def _refuse(count, entity, local, name, limit):
     many = said("about {millions:count} million", millions=round(count / 1e6)) if count < _COUNTLESS else said("more than a million million")
     raise UserError(said("the refinement {refinement:text} with {size:length} at {place:text} would make {many:messages} elements; {limit:messages}. "

@@ -379,6 +379,10 @@
       <translation>Ein Teil des Netzes hat keinen Werkstoff. Jedem Volumenkörper einen geben.</translation>
     </message>
     <message>
+      <source>About %d million elements need about %d GB of memory; %d GB are free.</source>
+      <translation>Etwa %d Millionen Elemente brauchen etwa %d GB Speicher; %d GB sind frei.</translation>
+    </message>
+    <message>
       <source>Across walls</source>
       <translation>In Wänden</translation>
     </message>
@@ -491,6 +495,10 @@
       <translation>Protokoll</translation>
     </message>
     <message>
+      <source>Mesh all the same</source>
+      <translation>Trotzdem vernetzen</translation>
+    </message>
+    <message>
       <source>Pareto front</source>
       <translation>Pareto-Front</translation>
     </message>
@@ -577,6 +585,10 @@
     <message>
       <source>What matters</source>
       <translation>Was wichtig ist</translation>
+    </message>
+    <message>
+      <source>Where memory runs out, what is not saved is lost. A larger size makes fewer elements.</source>
+      <translation>Wenn der Speicher nicht reicht, geht verloren, was nicht gespeichert ist. Eine größere Elementgröße macht weniger Elemente.</translation>
     </message>
     <message>
       <source>a body, or a Part object with a solid</source>
