@@ -315,6 +315,15 @@ class SolveGuard(unittest.TestCase):
         force.Label, force.Visibility = "Weight of the crane", not force.Visibility
         self.assertFalse(results.is_old(result))
 
+    def test_what_the_panel_of_a_transform_lists_is_no_edit(self):
+        transform = ObjectsFem.makeConstraintTransform(self.document)
+        transform.References = [(self.part, "Face1")]
+        self.analysis.addObject(transform)
+        self.document.recompute()
+        result = self.add_result()
+        transform.RefDispl = [(self.part, "Face2")]   # as its OK does
+        self.assertFalse(results.is_old(result))
+
     def test_results_say_when_a_load_came_went_or_follows_another_value(self):
         result, force = self.add_result(), self.document.getObject("Force")
         pressure = ObjectsFem.makeConstraintPressure(self.document)

@@ -16,8 +16,9 @@ _OF_NO_MESH = "-"
 _SUFFIX = QT_TRANSLATE_NOOP("FeatureMesh", " (before the last edit)")
 _KINDS = ("Fem::FemResultObject", "Fem::FemPostPipeline")
 _MEMBERS = ("Fem::Constraint", "Fem::Element", "Fem::Material")   # how the types of FEM's objects in Python begin
-# Properties that FreeCAD computes for what it draws, or that say nothing of what is solved.
-_DRAWN = {"Label", "Label2", "Visibility", "Proxy", "ExpressionEngine", "Scale", "Points", "Normals", "NormalDirection", "DirectionVector", "BasePoint", "Axis"}
+# Properties that FreeCAD computes for what it draws or lists in a panel, or that say nothing of what is solved.
+_DRAWN = {"Label", "Label2", "Visibility", "Proxy", "ExpressionEngine", "Scale", "Points", "Normals", "NormalDirection", "DirectionVector", "BasePoint", "Axis",
+          "RefDispl", "NameDispl"}
 _states = {}   # (document, analysis) -> the state of its mesh and its members when input for a solver was last written
 
 
