@@ -13,7 +13,8 @@ import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from parts import groups_of  # noqa: E402
 from PySide import QtGui  # noqa: E402
-from window import answer_with, button_in_panel, click, click_in_panel, figures, is_whole, panel, picture, report_view, spin, turn_wheel, type_into, wait_for  # noqa: E402
+from window import answer_with, button_in_panel, click, click_button_of, click_in_panel  # noqa: E402
+from window import figures, is_whole, panel, picture, report_view, spin, turn_wheel, type_into, wait_for  # noqa: E402
 
 
 def names(document):
@@ -23,8 +24,7 @@ def names(document):
 def open_new(body_or_sketch):
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(body_or_sketch)
-    Gui.runCommand("FeatureMesh_MeshPart")
-    spin()
+    click_button_of("FeatureMesh_MeshPart")
     return panel("MeshPanel")
 
 
@@ -57,8 +57,26 @@ def check_cancel(document, sketch):
     wait_for(lambda: settings.running is None)
     assert "failed" in settings.status.text() and Gui.Control.activeDialog(), settings.status.text()
     picture("panel_failed")
+    check_next_size(settings)
     click_in_panel("Cancel")
     assert names(document) == before and document.UndoCount == steps and not document.HasPendingTransaction
+
+
+def check_next_size(settings):
+    """After a size that was refused another one is typed: what the panel tells is of that. Where the memory is not enough for it, it asks."""
+    from freecad.featuremesh.study import memory
+    type_into(settings.size, "0 mm")
+    click_in_panel("Apply")
+    wait_for(lambda: "greater than 0 mm" in settings.status.text())
+    type_into(settings.size, "4 mm")
+    wait_for(lambda: "about" in settings.estimate.text())
+    assert settings.status.text() == "Status: settings changed, not meshed yet", settings.status.text()
+    seen = []
+    timer = answer_with("Cancel", seen)
+    with mock.patch.object(memory, "available_bytes", lambda: 1e6):
+        click_in_panel("Ok")
+    assert not timer.isActive() and "need about 0 GB of memory; 0 GB are free" in seen[0], seen
+    assert settings.running is None and Gui.Control.activeDialog()
 
 
 def check_errors(document, body):

@@ -221,15 +221,14 @@ def estimate_tets(mesh):
     return estimated_tets(*estimate_input(mesh))
 
 
-def estimate_input(mesh, raw=None, **settings):
-    """What estimated_tets needs of a mesh object, with other engine options than the object's where given.
+def estimate_input(mesh, raw=None, settings=None):
+    """What estimated_tets needs of a mesh object, with other values of its settings than the object's where given.
 
     `raw` is the part as it was read before, when it is known to be the same still.
     """
     refuse_other(mesh)
     part = part_to_mesh(mesh)
-    options = options_of(mesh, part)
-    options.update((name, value) for name, value in settings.items() if value is not None)
+    options = options_of(mesh, part, settings=settings)
     return raw or reading.read_document(part), options
 
 

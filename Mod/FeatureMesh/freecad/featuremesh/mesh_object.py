@@ -542,19 +542,19 @@ def refuse_other(obj):
                         said("{object:text} shows the mesh of {mesh:text}; give that one", object=describe(obj), mesh=describe(source)))
 
 
-def options_of(mesh, part, raw=None, refined=None):
+def options_of(mesh, part, raw=None, refined=None, settings=None):
     """The engine's options from the object's properties and its refinements, which are read where they are not given; `raw` is the part as it
-    was read, if it was. Throws UserError."""
-    options = {option: float(getattr(getattr(mesh, name), "Value", getattr(mesh, name)))
-               for name, option in OPTION_OF.items()}
-    if not 0 <= mesh.QualityTarget <= _HIGHEST_TARGET:
+    was read, if it was, `settings` are values of SETTINGS that count instead of the object's. Throws UserError."""
+    values = {**settings_of(mesh), **(settings or {}), "Threads": mesh.Threads}
+    options = {option: float(values[name]) for name, option in OPTION_OF.items()}
+    if not 0 <= values["QualityTarget"] <= _HIGHEST_TARGET:
         raise UserError(said("the property QualityTarget of {mesh:text} has to lie between 0 and {highest:number} degrees, not {target:number}",
-                             mesh=describe(mesh), highest=_HIGHEST_TARGET, target=mesh.QualityTarget))
-    refuse_no_size(mesh.Size.Value)
+                             mesh=describe(mesh), highest=_HIGHEST_TARGET, target=values["QualityTarget"]))
+    refuse_no_size(values["Size"])
     options["threads"] = int(options["threads"]) or os.cpu_count() or 1
-    options["order"] = 2 if mesh.Order == "2nd" else 1
-    if mesh.Dimension != FROM_SHAPE:
-        options["dimension"] = mesh.Dimension.lower()
+    options["order"] = 2 if values["Order"] == "2nd" else 1
+    if values["Dimension"] != FROM_SHAPE:
+        options["dimension"] = values["Dimension"].lower()
     options["min_size"] = options["min_size"] or AUTOMATIC_SHARE * options["size"]
     refined = refined or refinements.read(mesh, part, raw)
     too_fine.refuse_too_fine(part.Shape, options["size"], options["growth"], refined.at_entities())

@@ -43,6 +43,14 @@ def margins(layout):
     layout.setContentsMargins(_MARGIN, layout.contentsMargins().top(), _MARGIN, layout.contentsMargins().bottom())
 
 
+class Form(QtGui.QWidget):
+    """The form of a panel with OK, Cancel and Apply above it, which FreeCAD shows with it."""
+
+    def showEvent(self, event):
+        super().showEvent(event)
+        QtCore.QTimer.singleShot(0, buttons)
+
+
 def buttons():
     """OK, Cancel and Apply above the open panel, side by side: without pictures, and no wider than their texts where there is no more room.
 

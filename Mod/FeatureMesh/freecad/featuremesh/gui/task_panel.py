@@ -13,9 +13,9 @@ from .. import analyses, api, log, reading, versions, view_provider
 from ..mesh_object import is_cancelled
 from ..refusals import part_to_mesh
 from ..reports import remarks_of
-from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, NOT_MESHED, OPTION_OF, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
+from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, FAILED, NOT_MESHED, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
 from ..messages import of_error, said
-from . import narrow, wheel
+from . import enough_memory, narrow, wheel
 from .errors import select_named
 from ..user_words import as_shown, in_words
 from .running import RunningJob, step_in_words
@@ -47,7 +47,8 @@ class MeshPanel:
         self._estimate = None
         self._written = {}   # field -> (its Qt property, what was written into that, the text that it shows for it)
         self._raw = None   # the part as it was read for the last estimate, until it is edited
-        self.form = QtGui.QWidget()
+        self._told_of = None   # the settings that the object's status is about
+        self.form = narrow.Form()
         self.form.setWindowTitle(mesh.Label)
         self.form.setWindowIcon(view_provider.drawn_icon("FeatureMesh"))
         self.form.destroyed.connect(lambda: self._leave())   # FreeCAD closes the panel with its document
@@ -64,7 +65,6 @@ class MeshPanel:
         view_provider.followers.append(self._follow)
         self._show_result()
         self._settings_changed()
-        QtCore.QTimer.singleShot(0, narrow.buttons)   # FreeCAD adds them when it shows the panel
 
     # Widgets
 
@@ -313,9 +313,12 @@ class MeshPanel:
         self._compute_part()
         try:
             api.check_size(self.mesh.Size.Value, part_to_mesh(self.mesh))
-            self.job = self.mesh.Proxy.prepare(self.mesh, full)
+            self.job = self.mesh.Proxy.prepare(self.mesh, full) if enough_memory.or_all_the_same(self.mesh) else None
         except Exception as error:
             self._failed(error)
+            return
+        if self.job is None:
+            self._close_when_done = False
             return
         self.running = RunningJob(self.job)
         self._set_running(True)
@@ -435,6 +438,7 @@ class MeshPanel:
 
     def _show_result(self):
         mesh, lines = self.mesh, []
+        self._told_of = settings_of(mesh)
         self._show_status()
         if mesh.TetCount:
             lines = [in_words(said("{nodes:count} {nodes:node|nodes}, {elements:count} {elements:element|elements} in {seconds:text}\u00a0s",
@@ -447,11 +451,12 @@ class MeshPanel:
         self.result.setText("<br>".join(line.replace("<", "&lt;") for line in lines))
 
     def _show_status(self):
-        status = self.mesh.Status
-        if status == UP_TO_DATE and differ_from_mesh(self.mesh, {**settings_of(self.mesh), **self.settings()}):
-            status = SETTINGS_CHANGED
+        status, settings = self.mesh.Status, {**settings_of(self.mesh), **self.settings()}
+        is_failed = status.startswith(FAILED)
+        if is_failed and settings != self._told_of or status == UP_TO_DATE and differ_from_mesh(self.mesh, settings):
+            status, is_failed = SETTINGS_CHANGED, False
         line = "%s: %s" % (translate("FeatureMesh", "Status"), status_in_words(self.mesh, status))
-        self.status.setText('<span style="color:#c62828">%s</span>' % line.replace("<", "&lt;") if status.startswith("failed") else line)
+        self.status.setText('<span style="color:#c62828">%s</span>' % line.replace("<", "&lt;") if is_failed else line)
 
     # Estimate
 
@@ -468,8 +473,7 @@ class MeshPanel:
             self._estimate_timer.start(_ESTIMATE_MS)
             return
         try:
-            settings = {**self.settings(), "MinSize": self._value_in(self.min_size) or None}
-            raw, options = api.estimate_input(self.mesh, self._raw, **{OPTION_OF[name]: value for name, value in settings.items() if name in OPTION_OF})
+            raw, options = api.estimate_input(self.mesh, self._raw, self.settings())
         except Exception as error:
             self.estimate.setText(in_words(of_error(error)))
             return
