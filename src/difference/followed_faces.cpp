@@ -38,7 +38,10 @@ class FaceFollower {
 
     std::vector<FollowedFace> run() {
         if (const auto motion = motion_of_all()) follow_motion(*motion);
-        for (std::size_t f = 0; f < followed_.size(); ++f) follow_origin(FaceId(f));
+        for (std::size_t f = 0; f < followed_.size(); ++f) follow_kept(FaceId(f));
+        const std::vector<char> kept = claimed_;
+        for (std::size_t f = 0; f < followed_.size(); ++f)
+            if (is_open(FaceId(f))) follow_origin(FaceId(f), kept);
         for (std::size_t f = 0; f < followed_.size(); ++f) follow_place(FaceId(f), BoundaryVerdict::kept);
         while (follow_neighbours()) {
         }
@@ -75,13 +78,19 @@ class FaceFollower {
         return {found.begin(), found.end()};
     }
 
-    /// Where it is also kept in place, that is it; else points tell which pieces of a made face belong together.
-    void follow_origin(FaceId f) {
-        std::vector<FaceId> candidates = candidates_of(f);
-        if (candidates.empty()) return;
+    /// Where it is also kept in place, that is it.
+    void follow_kept(FaceId f) {
         const FaceChange& place = in_place_[f.index()];
-        if (place.verdict == BoundaryVerdict::kept && contains(candidates, place.new_face))
-            return follow(f, {place.new_face}, FollowedBy::origin);
+        if (place.verdict == BoundaryVerdict::kept && contains(candidates_of(f), place.new_face))
+            follow(f, {place.new_face}, FollowedBy::origin);
+    }
+
+    /// Points tell which pieces of a made face belong together. What another face was `kept` as is none of them, though
+    /// solids that overlap have both on one made face.
+    void follow_origin(FaceId f, const std::vector<char>& kept) {
+        std::vector<FaceId> candidates = candidates_of(f);
+        std::erase_if(candidates, [&](FaceId g) { return kept[g.index()]; });
+        if (candidates.empty()) return;
         const bool is_one = candidates.size() == 1 && !has_siblings(f);
         if (!is_one || stays(f)) std::erase_if(candidates, [&](FaceId g) { return !share_points(f, g); });
         if (!candidates.empty()) follow(f, candidates, FollowedBy::origin);

@@ -340,6 +340,19 @@ class Blocks(BlockParts):
         self.assertAlmostEqual(self.area_of(body, load), 2000)
         self.assertTrue(any("become one" in line for line in warnings_of(self.mesh)), warnings_of(self.mesh))
 
+    def test_two_solids_that_overlap(self):
+        """Their tops lie in one plane, on one another, until one is higher; the other one stays what it was."""
+        left, right = (self.document.addObject("Part::Box", name) for name in ("Left", "Right"))
+        right.Placement.Base = FreeCAD.Vector(7, 0, 0)
+        both = self.document.addObject("Part::Compound", "Both")
+        both.Links = [left, right]
+        self.document.recompute()
+        load = self.load(both, "Face12")
+        self.mesh_of(both)
+        right.Height = 13
+        self.document.recompute()
+        self.assertEqual(names_of(load), [("Both", self.face_at(both, "Z", 13))])
+
     def imported(self, shape, name="Imported"):
         solid = self.document.addObject("Part::Feature", name)
         solid.Shape = shape
