@@ -10,7 +10,7 @@ from unittest import mock
 import FreeCAD
 import numpy as np
 import ObjectsFem
-from freecad.featuremesh import api, engine, engine_places, mesh_object, mesh_properties, state, versions
+from freecad.featuremesh import api, engine, engine_places, mesh_object, mesh_properties, orphans, state, versions
 from freecad.featuremesh.errors import EngineMissing, UserError
 from freecad.featuremesh.formats import is_single_entity
 from freecad.featuremesh.messages import english
@@ -49,6 +49,20 @@ class WithoutEngine(MeshedPlate):
         with mock.patch.object(engine, "_place", None), mock.patch.object(engine_places, "usable", list), \
                 self.assertRaisesRegex(EngineMissing, "not installed.*shown as it was saved.*Addon Manager.*pip install.*portable zip"):
             engine.load()
+
+
+class WithoutTheAddon(MeshedPlate):
+
+    def test_a_mesh_that_another_freecad_saved_is_ours_again(self):
+        """It stays with the part as that is edited there, and follows the first recompute here."""
+        self.mesh.Proxy = None   # as FreeCAD saves it then
+        self.edit()
+        orphans.install()
+        self.save_and_reopen()
+        self.assertEqual((api.meshes_of(self.document), self.mesh.Status), ([self.mesh], mesh_object.OUT_OF_DATE))
+        self.document.recompute()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertGreater(self.mesh.KeptNodes, 30)
 
 
 class Copies(MeshedPlate):

@@ -12,7 +12,7 @@ from xml.sax.saxutils import quoteattr
 
 import FreeCAD
 
-from . import reading, versions
+from . import orphans, reading, versions
 from .errors import UserError
 from .messages import of_error, said
 
@@ -53,6 +53,7 @@ def open_document(path):
     stamp = _stamp_of(path)
     try:
         document = FreeCAD.openDocument(path, True)
+        orphans.adopt_all(document)
         _opened[document.Name] = _Opened(path, stamp, _left_out(document, written))
         return document
     except Exception as error:

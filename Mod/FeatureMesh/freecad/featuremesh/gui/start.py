@@ -3,7 +3,7 @@
 
 import FreeCADGui as Gui
 
-from .. import assembled, assembled_view, live_result, live_view, mesh_object, size_zone, study_view, view_provider, waiting, zone_view
+from .. import assembled, assembled_view, live_result, live_view, mesh_object, orphans, size_zone, study_view, view_provider, waiting, zone_view
 from ..commands import COMMANDS, IN_FEM, register
 from ..study import study_object
 from . import clicks, fem_toolbar, live_runner, open_panels, preferences_page, running, showing, study_runs
@@ -36,6 +36,7 @@ def start():
     study_object.on_ready.append(study_view.ViewStudy.attach_to)
     size_zone.on_ready.append(zone_view.ViewSizeZone.attach_to)
     assembled.on_ready.append(assembled_view.attach)
+    orphans.install()
     live_runner.install()
     study_runs.install()
     mesh_object.run_job = running.run_with_escape
