@@ -10,10 +10,13 @@ from unittest import mock
 import FreeCAD
 import numpy as np
 import ObjectsFem
-from freecad.featuremesh import api, engine, engine_places, mesh_object, mesh_properties, orphans, state, versions
+from freecad.featuremesh import api, engine, engine_places, mesh_object, mesh_properties, orphans, size_zone, state, versions
+from freecad.featuremesh.assembled import AssembledParts
 from freecad.featuremesh.errors import EngineMissing, UserError
 from freecad.featuremesh.formats import is_single_entity
+from freecad.featuremesh.live_result import LiveResult
 from freecad.featuremesh.messages import english
+from freecad.featuremesh.study.study_object import StudyObject
 from meshed_plate import MeshedPlate, points_of
 from parts import new_document, placement
 
@@ -63,6 +66,21 @@ class WithoutTheAddon(MeshedPlate):
         self.document.recompute()
         self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
         self.assertGreater(self.mesh.KeptNodes, 30)
+
+    def test_so_are_all_other_objects_of_ours(self):
+        zone = size_zone.add(self.mesh, size_zone.BOX, 1.0)
+        analysis = ObjectsFem.makeAnalysis(self.document)
+        others = {AssembledParts: self.document.addObject("Part::FeaturePython", "Parts"), LiveResult: self.document.addObject("App::FeaturePython", "Live")}
+        for proxy_class, obj in others.items():
+            proxy_class(obj)
+        others.update({size_zone.SizeZone: zone, StudyObject: api.add_study(self.body, analysis)})
+        names = {}
+        for proxy_class, obj in others.items():
+            obj.Proxy, names[proxy_class] = None, obj.Name
+        orphans.install()
+        self.save_and_reopen()
+        for proxy_class, name in names.items():
+            self.assertIsInstance(self.document.getObject(name).Proxy, proxy_class)
 
 
 class Copies(MeshedPlate):

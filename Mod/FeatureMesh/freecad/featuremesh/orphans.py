@@ -1,11 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mesh objects that a FreeCAD without this addon has saved: it forgets whose they are, and nothing else. They become ours again."""
+"""Objects of ours that a FreeCAD without this addon has saved: it forgets whose they are, and nothing else. They become ours again."""
 
 import FreeCAD
 
+from . import live_result, mesh_properties
+from .assembled import AssembledParts
+from .live_result import LiveResult
 from .mesh_object import FeatureMesh
-from .mesh_properties import OUT_OF_DATE
+from .size_zone import SizeZone
+from .study.study_object import StudyObject
 
+# By proxy properties that no other object without one has.
+_PROPERTIES = {AssembledParts: {"Container", "Join"}, SizeZone: {"InnerSize", "OuterSize"}, FeatureMesh: {"SavedState"}, LiveResult: {"SolvedState"},
+               StudyObject: {"Sampling", "SecondsLimit"}}
 _observer = None
 
 
@@ -18,15 +25,27 @@ def install():
 
 
 def adopt_all(document):
-    """Makes those of a document ours again. Their parts may have been edited meanwhile, so that the next recompute updates them."""
+    """Makes those of a document ours again. What they follow may have been edited meanwhile, so the next recompute updates them."""
     for obj in document.Objects:
-        if obj.isDerivedFrom("Fem::FemMeshObject") and getattr(obj, "Proxy", obj) is None and "SavedState" in obj.PropertiesList:
-            proxy = FeatureMesh.__new__(FeatureMesh)
-            proxy.loads(None)
-            obj.Proxy = proxy
-            proxy.onDocumentRestored(obj)
-            obj.Status = OUT_OF_DATE
+        proxy_class = _class_of(obj)
+        if proxy_class is None:
+            continue
+        proxy = proxy_class.__new__(proxy_class)
+        proxy.loads(None)
+        obj.Proxy = proxy
+        proxy.onDocumentRestored(obj)
+        if proxy_class is FeatureMesh:
+            obj.Status = mesh_properties.OUT_OF_DATE
+        if proxy_class is LiveResult:
+            proxy.set_status(obj, live_result.OUT_OF_DATE)
+        if proxy_class is not StudyObject:
             obj.touch()
+
+
+def _class_of(obj):
+    if getattr(obj, "Proxy", obj) is not None:
+        return None
+    return next((proxy_class for proxy_class, names in _PROPERTIES.items() if names <= set(obj.PropertiesList)), None)
 
 
 class _Observer:

@@ -57,16 +57,16 @@ class MeshCommand:
         errors.show(error, versions.part_of(meshes[0]) if len(meshes) == 1 else None)
 
 
-def answer(title, text, more, choices):
-    """The key of the choice that was clicked in a message box, the first by default; None for Cancel."""
+def answer(title, text, more, choices, is_risky=False):
+    """The key of the choice that was clicked in a message box, the first by default unless that is risky; None for Cancel, or then by default."""
     box = QtGui.QMessageBox(Gui.getMainWindow())
     box.setWindowTitle(title)
     box.setText(text)
     box.setInformativeText(more)
     roles = [QtGui.QMessageBox.AcceptRole, QtGui.QMessageBox.ActionRole]
     buttons = {key: box.addButton(choice, role) for (key, choice), role in zip(choices.items(), roles)}
-    box.addButton(QtGui.QMessageBox.Cancel)
-    box.setDefaultButton(next(iter(buttons.values())))
+    cancel = box.addButton(QtGui.QMessageBox.Cancel)
+    box.setDefaultButton(cancel if is_risky else next(iter(buttons.values())))
     box.exec_()
     return next((key for key, button in buttons.items() if box.clickedButton() is button), None)
 

@@ -29,4 +29,4 @@ def _ask(mesh, count, needed, available):
     text = translate("FeatureMesh", "About %d million elements need about %d GB of memory; %d GB are free.") % (
         round(count / 1e6), round(needed / 1e9), available // 1e9)
     return answer(mesh.Label, text, translate("FeatureMesh", "Where memory runs out, what is not saved is lost. A larger size makes fewer elements."),
-                  {"mesh": translate("FeatureMesh", "Mesh all the same")}) is not None
+                  {"mesh": translate("FeatureMesh", "Mesh all the same")}, is_risky=True) is not None
