@@ -34,6 +34,7 @@ def set_up(extra_packages=(), target=ENGINE):
             say(f"setting up, which takes some minutes the first time (log: {SETUP_LOG})")
         packages.install_missing(sorted(wanted))
         cgal_headers.fetch_cgal()
+    with alone(RELEASE):
         target = max((target, *built), key=TARGETS.index)
         # Taken before the build, so that a source that changes meanwhile is built the next time.
         stamp = {"fingerprint": fingerprint(), "packages": sorted(wanted | known), "target": target}
@@ -58,7 +59,7 @@ def what_is_there():
 
 @contextlib.contextmanager
 def alone(folder=BUILD):
-    """Only one set-up at a time works in a build folder; others wait for it."""
+    """Only one set-up at a time installs, and one builds in a folder; others wait for it."""
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "setup.lock", "w", encoding="utf-8") as lock:
         try:

@@ -5,6 +5,7 @@ import re
 import shutil
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -15,7 +16,7 @@ STAND_IN = """#!/usr/bin/env bash
 case "$*" in
     "test") exit %s ;;
     "test --freecad 1.1 --in-freecad") [ %s = slow ] && exec sleep 60; exit %s ;;
-    "test --packages --freecad 0.20") exit %s ;;
+    "test --packages --freecad 0.20") echo said by the packages; exit %s ;;
     "test --freecad 1.0 --in-freecad --only ^python_("*")$") exit %s ;;
     "test --sanitize address") echo said by the sanitizers; exit %s ;;
     "test --tidy "*" --seconds "*) echo looks since "$3"; echo its time is over after 2 of 7 files; exit %s ;;
@@ -40,24 +41,28 @@ class Decisions(unittest.TestCase):
     def test_all_pass(self):
         code, said = self.run_with(0, 0)
         self.assertEqual(code, 0)
-        self.assertIn("FreeCAD 1.1 passes, too", said)
-        self.assertIn("FreeCAD 1.0 passes, too", said)
-        self.assertIn("the engine with sanitizers passes, too", said)
+        self.assertIn("FreeCAD 1.1 passes", said)
+        self.assertIn("FreeCAD 1.0 passes", said)
+        self.assertIn("the engine with sanitizers passes", said)
         self.assertNotIn("said by the sanitizers", said)
-        self.assertIn("clang-tidy passes, too\nits time is over after 2 of 7 files\n", said)
+        self.assertIn("clang-tidy passes\nits time is over after 2 of 7 files\n", said)
         self.assertNotIn("looks since", said)
-        self.assertIn("installing the packages passes, too", said)
+        self.assertIn("installing the packages passes", said)
+        self.assertEqual(said.splitlines()[-1], ".ci/run: after 0 minutes: came to their end: this machine's FreeCAD (0), FreeCAD 1.1 (0), FreeCAD 1.0 (0), "
+                         "the engine with sanitizers (0), clang-tidy (0), installing the packages (0); did not: nothing")
 
     def test_a_failure_of_any_is_one(self):
         code, said = self.run_with(1, 0)
-        self.assertEqual((code, said), (1, ""))
+        self.assertEqual((code, said), (1, ".ci/run: after 0 minutes: this machine's FreeCAD fails\n"
+                                        ".ci/run: after 0 minutes: came to their end: this machine's FreeCAD (0, fails); did not: nothing\n"))
         code, said = self.run_with(0, 1)
         self.assertEqual(code, 1)
         self.assertIn("FreeCAD 1.1 fails", said)
-        self.assertNotIn("packages", said)
+        self.assertIn("FreeCAD 1.1 (0, fails); did not", said)
+        self.assertNotIn("FreeCAD 1.0", said)
         code, said = self.run_with(0, 0, 1)
         self.assertEqual(code, 1)
-        self.assertIn("installing the packages fails", said)
+        self.assertIn("installing the packages fails\nsaid by the packages", said)
         code, said = self.run_with(0, 0, 0, 1)
         self.assertEqual(code, 1)
         self.assertIn("FreeCAD 1.0 fails", said)
@@ -83,7 +88,7 @@ class Decisions(unittest.TestCase):
         code, said = self.run_with(0, 1, FEATUREMESH_CI_SECONDS="1140")
         self.assertEqual(code, 0)
         self.assertIn("FreeCAD 1.1 is skipped, since fewer than 20 of 19 minutes are left", said)
-        self.assertIn("installing the packages passes, too", said)
+        self.assertIn("installing the packages passes", said)
         code, said = self.run_with(0, 0, 1, FEATUREMESH_CI_SECONDS="60", FEATUREMESH_CI_SECONDS_NEEDED="0")
         self.assertEqual(code, 0)
         self.assertIn("installing the packages is skipped, since fewer than 15 of 1 minutes are left", said)
@@ -92,6 +97,18 @@ class Decisions(unittest.TestCase):
         code, said = self.run_with(0, "slow", FEATUREMESH_CI_SECONDS="2", FEATUREMESH_CI_SECONDS_NEEDED="0")
         self.assertEqual(code, 0)
         self.assertIn("FreeCAD 1.1 is skipped, its time is over", said)
+        self.assertTrue(said.endswith("did not: installing the packages, FreeCAD 1.1, FreeCAD 1.0\n"), said)
+
+    def test_what_runs_beside_ends_with_it(self):
+        with tempfile.NamedTemporaryFile("w+") as process:
+            code, _ = self.run_with("$(sleep 1)1", 0, sanitizers="$(echo $$ >%s; sleep 60)" % process.name)
+            self.assertEqual(code, 1)
+            number = int(process.read())
+        for _ in range(100):
+            if not os.path.exists("/proc/%d" % number):
+                return
+            time.sleep(0.1)
+        self.fail("it goes on")
 
 
 if __name__ == "__main__":
