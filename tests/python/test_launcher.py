@@ -2,6 +2,7 @@
 """The launcher as a user meets it, and the set-up's parts that need neither root nor a network. Runs in plain Python."""
 import contextlib
 import datetime
+import fcntl
 import io
 import json
 import os
@@ -478,6 +479,16 @@ class SetUp(unittest.TestCase):
                 steps.append("first")
             thread.join(10)
         self.assertEqual(steps, ["waiting for another set-up in this folder", "first", "second"])
+
+    def test_another_may_install_while_the_engine_is_built(self):
+        def build(target):
+            with open(folder / "setup.lock", "w", encoding="utf-8") as lock:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (folder / "release").mkdir()
+        with mock.patch.multiple(engine_build, BUILD=folder, RELEASE=folder / "release", build=build), \
+                mock.patch.object(packages, "install_missing"), mock.patch.object(cgal_headers, "fetch_cgal"):
+            engine_build.set_up()
 
     def test_sources_of_the_engine_are_watched(self):
         watched = {path.relative_to(ROOT).as_posix() for path in engine_build.source_files()}
