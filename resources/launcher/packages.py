@@ -18,6 +18,7 @@ PEER_PACKAGES = ("gmsh",)
 READER_PACKAGES = ("python3-meshio", "python3-h5py")
 STYLE_PACKAGES = ("clang-format-14", "flake8")
 TIDY_PACKAGES = ("clang-tidy-16",)
+SANITIZER_PACKAGES = ("clang-16", "libclang-rt-16-dev")
 SOLVER_PACKAGES = ("pkg-config", "libpetsc-real-dev")   # optional: without them the engine is built without its live solver
 STUDY_PACKAGES = ("python3-scipy", "python3-matplotlib")
 CLUSTER_PACKAGES = ("python3-distributed",)   # optional: studies on other machines
@@ -42,6 +43,7 @@ REASONS = (
     (READER_PACKAGES, "to read exported files back in tests"),
     (STYLE_PACKAGES, "to check how the code is written"),
     (TIDY_PACKAGES, "to look for faults in the code"),
+    (SANITIZER_PACKAGES, "to run the engine's tests with sanitizers"),
     (SOLVER_PACKAGES, "to solve with PETSc"),
     (STUDY_PACKAGES, "to sample the cases of studies and to draw what they found"),
     (CLUSTER_PACKAGES, "to run studies on a Dask cluster"),
