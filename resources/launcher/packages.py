@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The Debian packages FeatureMesh needs, each group with its reason, and how the missing ones are installed."""
+import contextlib
+import fcntl
 import os
 import shutil
 import subprocess
 
-from layout import Failure
+from layout import BUILD, Failure
 from setup_log import run_logged, say
 
 BUILD_PACKAGES = (
@@ -68,9 +70,23 @@ def missing(packages):
 
 def install_missing(packages):
     """Installs what is missing, as root or through sudo, after saying what and why."""
-    names = missing(packages)
-    if not names:
-        return
+    if missing(packages):
+        with alone():
+            names = missing(packages)
+            if names:
+                install(names)
+
+
+@contextlib.contextmanager
+def alone():
+    """apt-get refuses to work beside another one, so this waits until no other set-up of the checkout installs."""
+    BUILD.mkdir(exist_ok=True)
+    with open(BUILD / "apt.lock", "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
+
+
+def install(names):
     for group, reason in REASONS:
         of_group = [name for name in names if name in group]
         if of_group:
@@ -85,13 +101,13 @@ def install_missing(packages):
             names = [name for name in names if name not in absent]
     if not names:
         return
-    install = [*prefix, *environment, "apt-get", "-q", "-y", "install", "--no-install-recommends"]
+    command = [*prefix, *environment, "apt-get", "-q", "-y", "install", "--no-install-recommends"]
     try:
-        run_logged([*install, *names], "installing packages")
+        run_logged([*command, *names], "installing packages")
     except Failure:
         # Lists that are older than the mirror name versions that are gone.
         run_logged([*prefix, "apt-get", "-q", "update"], "apt-get update")
-        run_logged([*install, *names], "installing packages")
+        run_logged([*command, *names], "installing packages")
 
 
 def root_prefix(names):

@@ -366,6 +366,22 @@ class SetUp(unittest.TestCase):
             packages.install_missing(("cmake", "calculix-ccx", "unheard-of"))
         self.assertEqual(commands.call_args.args[0][-2:], ["cmake", "unheard-of"])
 
+    def test_two_install_one_after_the_other(self):
+        """The second finds that the first has installed what it misses, too."""
+        folder, there, installed = Path(self.enterContext(tempfile.TemporaryDirectory())), [], []
+
+        def install(names):
+            installed.extend(names)
+            time.sleep(0.3)
+            there.extend(names)
+        with mock.patch.multiple(packages, BUILD=folder, missing=lambda names: [name for name in names if name not in there], install=install):
+            others = [threading.Thread(target=packages.install_missing, args=(["cmake"],)) for _ in range(2)]
+            for thread in others:
+                thread.start()
+            for thread in others:
+                thread.join()
+        self.assertEqual(installed, ["cmake"])
+
     def test_every_package_has_a_reason(self):
         groups = [group for name, group in vars(packages).items() if name.endswith("_PACKAGES")]
         self.assertEqual({group for group, _ in packages.REASONS}, set(groups))
