@@ -54,35 +54,60 @@ class RandomParts {
         return axes[whole(0, 4)];
     }
 
+    /// Each number is drawn in a statement of its own: compilers differ in the order in which they evaluate arguments.
     TopoDS_Shape volume() {
         switch (whole(0, 15)) {
             case 0:
             case 1:
             case 2:
             case 10:
-            case 11:
-                return box(place(), {length(3, 15), length(3, 15), length(3, 15)});
+            case 11: {
+                const Vec3 sizes{length(3, 15), length(3, 15), length(3, 15)};
+                return box(place(), sizes);
+            }
             case 3:
             case 4:
             case 12:
-            case 13:
-                return cylinder(place(), axis(), length(2, 6), length(4, 20));
-            case 5:
-                return sphere(place(), length(3, 8));
-            case 6:
-                return torus(place(), axis(), length(4, 8), length(1, 3));
+            case 13: {
+                const double height = length(4, 20), radius = length(2, 6);
+                const Vec3 along = axis();
+                return cylinder(place(), along, radius, height);
+            }
+            case 5: {
+                const double radius = length(3, 8);
+                return sphere(place(), radius);
+            }
+            case 6: {
+                const double tube = length(1, 3), radius = length(4, 8);
+                const Vec3 along = axis();
+                return torus(place(), along, radius, tube);
+            }
             case 7:
             case 14:
-                switch (whole(0, 2)) {
-                    case 0:
-                        return blob(place(), length(4, 8), length(3, 15));
-                    case 1:
-                        return vase(place(), axis(), length(3, 7), length(5, 14));
-                    default:
-                        return ellipsoid(place(), {length(3, 8), length(3, 8), length(3, 8)});
-                }
-            default:
-                return cone(place(), axis(), length(4, 7), chance(0.3) ? 0 : length(1, 3), length(4, 12));
+                return freeform();
+            default: {
+                const double height = length(4, 12), top = chance(0.3) ? 0 : length(1, 3), bottom = length(4, 7);
+                const Vec3 along = axis();
+                return cone(place(), along, bottom, top, height);
+            }
+        }
+    }
+
+    TopoDS_Shape freeform() {
+        switch (whole(0, 2)) {
+            case 0: {
+                const double height = length(3, 15), size = length(4, 8);
+                return blob(place(), size, height);
+            }
+            case 1: {
+                const double height = length(5, 14), radius = length(3, 7);
+                const Vec3 along = axis();
+                return vase(place(), along, radius, height);
+            }
+            default: {
+                const Vec3 radii{length(3, 8), length(3, 8), length(3, 8)};
+                return ellipsoid(place(), radii);
+            }
         }
     }
 
@@ -96,7 +121,8 @@ class RandomParts {
     /// In a row or about an axis; instances may touch and overlap.
     std::vector<TopoDS_Shape> pattern(const TopoDS_Shape& first, int count) {
         const bool polar = chance(0.3);
-        const Vec3 step = axis() * length(3, 12);
+        const Vec3 along = axis();
+        const Vec3 step = along * length(3, 12);
         std::vector<TopoDS_Shape> instances;
         for (int i = 0; i < count; ++i)
             instances.push_back(test::moved(
