@@ -121,8 +121,8 @@ class RandomParts {
     /// In a row or about an axis; instances may touch and overlap.
     std::vector<TopoDS_Shape> pattern(const TopoDS_Shape& first, int count) {
         const bool polar = chance(0.3);
-        const Vec3 along = axis();
-        const Vec3 step = along * length(3, 12);
+        const double distance = length(3, 12);
+        const Vec3 step = axis() * distance;
         std::vector<TopoDS_Shape> instances;
         for (int i = 0; i < count; ++i)
             instances.push_back(test::moved(
