@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What happens around a mesh object: no engine, copies, renamed and deleted parts."""
+import importlib
 import json
 import os
 import shutil
+import sys
 import tempfile
 import unittest
 from unittest import mock
@@ -81,6 +83,16 @@ class WithoutTheAddon(MeshedPlate):
         self.save_and_reopen()
         for proxy_class, name in names.items():
             self.assertIsInstance(self.document.getObject(name).Proxy, proxy_class)
+
+    def test_any_of_our_objects_may_be_the_first_in_a_document(self):
+        """FreeCAD then imports its module before all others; where that failed the object would be nobody's."""
+        package = sys.modules["freecad.featuremesh"]
+        self.addCleanup(setattr, sys.modules["freecad"], "featuremesh", package)
+        for name in ("assembled", "live_result", "mesh_object", "size_zone", "study.study_object"):
+            with self.subTest(name), mock.patch.dict(sys.modules):
+                for loaded in [loaded for loaded in sys.modules if loaded.startswith("freecad.featuremesh")]:
+                    del sys.modules[loaded]
+                importlib.import_module("freecad.featuremesh." + name)
 
 
 class Copies(MeshedPlate):

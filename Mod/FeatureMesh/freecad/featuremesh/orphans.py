@@ -3,16 +3,13 @@
 
 import FreeCAD
 
-from . import live_result, mesh_properties
-from .assembled import AssembledParts
-from .live_result import LiveResult
-from .mesh_object import FeatureMesh
-from .size_zone import SizeZone
-from .study.study_object import StudyObject
+from . import assembled, live_result, mesh_object, mesh_properties, size_zone
+from .study import study_object
 
-# By proxy properties that no other object without one has.
-_PROPERTIES = {AssembledParts: {"Container", "Join"}, SizeZone: {"InnerSize", "OuterSize"}, FeatureMesh: {"SavedState"}, LiveResult: {"SolvedState"},
-               StudyObject: {"Sampling", "SecondsLimit"}}
+# Properties that no other object without a proxy has, and the module and class of the proxy. A document may need any of these modules first, so the class
+# is looked up when it is wanted.
+_OURS = (({"Container", "Join"}, assembled, "AssembledParts"), ({"InnerSize", "OuterSize"}, size_zone, "SizeZone"), ({"SavedState"}, mesh_object, "FeatureMesh"),
+         ({"SolvedState"}, live_result, "LiveResult"), ({"Sampling", "SecondsLimit"}, study_object, "StudyObject"))
 _observer = None
 
 
@@ -34,18 +31,18 @@ def adopt_all(document):
         proxy.loads(None)
         obj.Proxy = proxy
         proxy.onDocumentRestored(obj)
-        if proxy_class is FeatureMesh:
+        if proxy_class is mesh_object.FeatureMesh:
             obj.Status = mesh_properties.OUT_OF_DATE
-        if proxy_class is LiveResult:
+        if proxy_class is live_result.LiveResult:
             proxy.set_status(obj, live_result.OUT_OF_DATE)
-        if proxy_class is not StudyObject:
+        if proxy_class is not study_object.StudyObject:
             obj.touch()
 
 
 def _class_of(obj):
     if getattr(obj, "Proxy", obj) is not None:
         return None
-    return next((proxy_class for proxy_class, names in _PROPERTIES.items() if names <= set(obj.PropertiesList)), None)
+    return next((getattr(module, name) for properties, module, name in _OURS if properties <= set(obj.PropertiesList)), None)
 
 
 class _Observer:
