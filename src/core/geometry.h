@@ -69,6 +69,9 @@ struct Box {
         return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y && low.z <= b.high.z &&
                b.low.z <= high.z;
     }
+    bool is_close_to(const Box& b, double tolerance) const {
+        return length(low - b.low) < tolerance && length(high - b.high) < tolerance;
+    }
     Vec3 center() const { return (low + high) * 0.5; }
     Vec3 size() const { return high - low; }
     double diagonal() const { return is_empty() ? 0.0 : length(size()); }

@@ -113,8 +113,8 @@ class FaceFollower {
     }
 
     bool is_image_in_place(int m, int n) const {
-        const Box a = was_.faces()[std::size_t(m)].probe.box(), b = is_.faces()[std::size_t(n)].probe.box();
-        return distance(a.low, b.low) < boolean_tolerance && distance(a.high, b.high) < boolean_tolerance;
+        return was_.faces()[std::size_t(m)].probe.box().is_close_to(is_.faces()[std::size_t(n)].probe.box(),
+                                                                    boolean_tolerance);
     }
 
     /// Does most of one lie on the other, where the made face takes it along?

@@ -158,7 +158,16 @@ const std::vector<int>& MadeFaces::made(FaceId final_face) const {
                                         [&](const Vec3& p) { return made.probe.contains(p, boolean_tolerance); });
         if (on_it != points.end() && bounds_the_same_way(made, final_face, *on_it)) known->push_back(int(f));
     }
+    if (state_.brep.solid_count() > 1) keep_those_with_bounds(box, *known);
     return *known;
+}
+
+// Of solids that overlap with faces in one plane each has its own there, which the other one has nothing to do with.
+void MadeFaces::keep_those_with_bounds(const Box& box, std::vector<int>& made) const {
+    const auto has_other_bounds = [&](int m) {
+        return !faces_[std::size_t(m)].probe.box().is_close_to(box, boolean_tolerance);
+    };
+    if (!std::all_of(made.begin(), made.end(), has_other_bounds)) std::erase_if(made, has_other_bounds);
 }
 
 // Of solids that lie on one another each has a face there. They look in opposite directions, as do the volumes that

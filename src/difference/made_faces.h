@@ -83,6 +83,7 @@ class MadeFaces {
     std::vector<PlacedElement> elements_of(FeatureId feature, const RigidMotion& motion) const;
     void take_volume(FeatureId feature, const FeatureVolume& volume, int& number);
     bool bounds_the_same_way(const MadeFace& made, FaceId final_face, const Vec3& p) const;
+    void keep_those_with_bounds(const Box& box, std::vector<int>& made) const;
     void find_elements(FeatureId feature);
     void give(const PlacedElement& placed, std::span<const int> pieces);
 

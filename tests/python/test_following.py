@@ -353,6 +353,18 @@ class Blocks(BlockParts):
         self.document.recompute()
         self.assertEqual(names_of(load), [("Both", self.face_at(both, "Z", 13))])
 
+    def test_two_solids_that_overlap_and_both_get_higher(self):
+        left, right = (self.document.addObject("Part::Box", name) for name in ("Left", "Right"))
+        right.Placement.Base = FreeCAD.Vector(7, 0, 0)
+        both = self.document.addObject("Part::Compound", "Both")
+        both.Links = [left, right]
+        self.document.recompute()
+        loads = [self.load(both, face) for face in ("Face6", "Face12")]
+        self.mesh_of(both)
+        left.Height, right.Height = 12, 13
+        self.document.recompute()
+        self.assertEqual([names_of(load) for load in loads], [[("Both", self.face_at(both, "Z", height))] for height in (12, 13)])
+
     def imported(self, shape, name="Imported"):
         solid = self.document.addObject("Part::Feature", name)
         solid.Shape = shape

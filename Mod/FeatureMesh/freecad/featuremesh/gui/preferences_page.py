@@ -57,6 +57,7 @@ class PreferencesPage:
         self.elements.setToolTip(translate("FeatureMesh", "The size of a new mesh is the diagonal of the part divided by this number"))
         self.order = QtGui.QComboBox()
         self.order.addItems([translate("FeatureMesh", "4-node tetrahedra"), translate("FeatureMesh", "10-node tetrahedra")])
+        self.order.setToolTip(translate("FeatureMesh", "10-node tetrahedra have mid-side nodes on the surface; 4-node ones are too stiff in bending"))
         self.automatic = QtGui.QCheckBox(translate("FeatureMesh", "Update automatically"))
         self.automatic.setToolTip(translate("FeatureMesh", "The mesh follows every recompute of the document"))
         form.addRow(translate("FeatureMesh", "Elements along the diagonal"), self.elements)
@@ -86,5 +87,6 @@ class PreferencesPage:
                            ("NewColour", translate("FeatureMesh", "New elements")),
                            ("ActiveColour", translate("FeatureMesh", "Nodes kept as start positions"))):
             self.colours[name] = Gui.UiLoader().createWidget("Gui::ColorButton")
+            self.colours[name].setToolTip(translate("FeatureMesh", "What the colours over the mesh mean when the last update is shown"))
             form.addRow(text, self.colours[name])
         return group

@@ -367,6 +367,10 @@
       <translation>--slurm {jobs:count}: mindestens ein Job ist nötig</translation>
     </message>
     <message>
+      <source>10-node tetrahedra have mid-side nodes on the surface; 4-node ones are too stiff in bending</source>
+      <translation>10-Knoten-Tetraeder haben Mittelknoten auf der Oberfläche; 4-Knoten-Tetraeder sind auf Biegung zu steif</translation>
+    </message>
+    <message>
       <source>: not {objects:text}</source>
       <translation>: nicht {objects:text}</translation>
     </message>
@@ -585,6 +589,10 @@
     <message>
       <source>What matters</source>
       <translation>Was wichtig ist</translation>
+    </message>
+    <message>
+      <source>What the colours over the mesh mean when the last update is shown</source>
+      <translation>Was die Farben über dem Netz bedeuten, wenn die letzte Aktualisierung gezeigt wird</translation>
     </message>
     <message>
       <source>Where memory runs out, what is not saved is lost. A larger size makes fewer elements.</source>
