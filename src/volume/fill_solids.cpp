@@ -31,6 +31,7 @@
 #include "volume/recovery/flip_facets.h"
 #include "volume/short_edges.h"
 #include "volume/tets/tet_complex.h"
+#include "volume/tets/thin_tets.h"
 #include "volume/wanted_size.h"
 
 namespace featuremesh {

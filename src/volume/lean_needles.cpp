@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/geometry.h"
-#include "volume/improvement/objective.h"
+#include "volume/tets/needles.h"
 #include "volume/tets/tet_measures.h"
 
 namespace featuremesh {
@@ -283,10 +283,9 @@ class NeedleStrips {
         for (const auto& [a, b, c, d] : tets) {
             const std::array<Vec3, 4> p{place(a), place(b), place(c), place(d)};
             worst.volume = std::min(worst.volume, signed_volume(p[0], p[1], p[2], p[3]));
-            worst.flatness =
-                std::max(worst.flatness,
-                         Objective::unforced_flatness(flatness(p[0], p[1], p[2], p[3]), p,
-                                                      {is_outside(a), is_outside(b), is_outside(c), is_outside(d)}));
+            worst.flatness = std::max(worst.flatness,
+                                      unforced_flatness(flatness(p[0], p[1], p[2], p[3]), p,
+                                                        {is_outside(a), is_outside(b), is_outside(c), is_outside(d)}));
         }
         return worst;
     }

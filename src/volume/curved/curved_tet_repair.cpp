@@ -14,7 +14,7 @@
 #include "mesh/second_order.h"
 #include "volume/curved/curved_tet_descent.h"
 #include "volume/curved/low_tets.h"
-#include "volume/improvement/objective.h"
+#include "volume/tets/needles.h"
 #include "volume/tets/tet_measures.h"
 
 namespace featuremesh {
@@ -175,7 +175,7 @@ class Unfolding {
         std::array<bool, 4> is_on_boundary;
         for (int k = 0; k < 4; ++k) is_on_boundary[k] = mesh_.entities[n[k].index()].dim < 3;
         const double all = flatness(p[0], p[1], p[2], p[3]);
-        const double unforced = Objective::unforced_flatness(all, p, is_on_boundary);
+        const double unforced = unforced_flatness(all, p, is_on_boundary);
         return unforced < all ? angle_of_flatness(unforced) : angle;
     }
 

@@ -7,6 +7,7 @@
 #include "mesh/second_order.h"
 #include "volume/delaunay/triangulation.h"
 #include "volume/tets/circumsphere.h"
+#include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
 
@@ -136,12 +137,6 @@ class FinalTets {
     double largest_ = 0;
 };
 
-using Corners = std::array<int, 4>;
-Corners sorted(Corners corners) {
-    std::sort(corners.begin(), corners.end());
-    return corners;
-}
-
 /// Joins the triangulations of two halves. Tets of a half that are certainly Delaunay in the whole are taken as they
 /// are. The points of all other tets are triangulated once more, by themselves, and fill the room between.
 class Joining {
@@ -174,7 +169,7 @@ class Joining {
     struct Half {
         const Part& part;
         std::vector<std::uint8_t> is_final{}, is_facet_final{};  // by tet; by tet, a bit for each facet
-        std::vector<Corners> unsure{};                           // tets that are not final
+        std::vector<Tet> unsure{};                               // tets that are not final
         std::vector<int> between{};  // points with a cell that is not; all others keep their tets in the whole
         std::vector<OpenFacet> open{};
     };
@@ -238,9 +233,9 @@ class Joining {
         std::vector<std::uint8_t> is_wanted(filling.tets.size(), 0);
         parallel_for(context_, filling.tets.size(), tets_per_chunk, [&](std::size_t begin, std::size_t end) {
             for (std::size_t t = begin; t < end; ++t) {
-                const Corners& c = filling.tets[t];
+                const Tet& c = filling.tets[t];
                 const int in_second = is_second[c[0]] + is_second[c[1]] + is_second[c[2]] + is_second[c[3]];
-                const std::vector<Corners>& unsure = halves_[in_second == 4].unsure;
+                const std::vector<Tet>& unsure = halves_[in_second == 4].unsure;
                 is_wanted[t] = in_second % 4 != 0 || std::binary_search(unsure.begin(), unsure.end(), sorted(c));
             }
         });
@@ -269,7 +264,7 @@ class Joining {
     }
 
     OpenFacet facet_of(int tet, int k) const {
-        const Corners& corners = joined_.tets[tet];
+        const Tet& corners = joined_.tets[tet];
         OpenFacet facet{{corners[tet_faces[k][0]], corners[tet_faces[k][1]], corners[tet_faces[k][2]]}, tet, k};
         std::sort(facet.corners.begin(), facet.corners.end());
         return facet;

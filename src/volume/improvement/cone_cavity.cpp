@@ -38,22 +38,15 @@ void ConeCavity::take_in(int tet) {
 double ConeCavity::worst_of(std::span<const int> start) {
     if (!std::equal(start.begin(), start.end(), last_start_.begin(), last_start_.end())) {
         last_start_.assign(start.begin(), start.end());
-        worst_of_last_ = 0;
-        for (const int tet : start)
-            worst_of_last_ = std::max(worst_of_last_, objective_.flaw(complex_, complex_.tets[tet]));
+        worst_of_last_ = objective_.worst(complex_, start);
     }
     return worst_of_last_;
-}
-
-std::array<bool, 3> ConeCavity::are_outside(const std::array<int, 3>& f) const {
-    const auto& m = complex_.mobility;
-    return {is_on_boundary(m[f[0]]), is_on_boundary(m[f[1]]), is_on_boundary(m[f[2]])};
 }
 
 double ConeCavity::cone_flaw(const std::array<int, 3>& f) const {
     if (apex_ >= 0) return objective_.flaw(complex_, {apex_, f[0], f[1], f[2]});
     const auto& p = complex_.points;
-    const auto [a, b, c] = are_outside(f);
+    const auto [a, b, c] = are_on_boundary(complex_, f);
     return objective_.flaw({point_, p[f[0]], p[f[1]], p[f[2]]}, {false, a, b, c});
 }
 
@@ -183,7 +176,8 @@ void ConeCavity::gather_shape() {
     const auto& p = complex_.points;
     shape_.clear(apex_ >= 0 && is_on_boundary(complex_.mobility[apex_]));
     for (const Face& f : faces_)
-        if (const auto& [a, b, c] = f.vertices; !f.has(apex_)) shape_.add(p[a], p[b], p[c], are_outside(f.vertices));
+        if (const auto& [a, b, c] = f.vertices; !f.has(apex_))
+            shape_.add(p[a], p[b], p[c], are_on_boundary(complex_, f.vertices));
 }
 
 void ConeCavity::climb(double good_enough) {

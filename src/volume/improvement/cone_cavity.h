@@ -80,7 +80,6 @@ class ConeCavity {
     void rebuild(std::size_t count);
     bool make_visible();
     bool give_room();
-    std::array<bool, 3> are_outside(const std::array<int, 3>& corners) const;
 
     static constexpr double not_measured = -1;
     static constexpr std::size_t most_tets = 48, most_tets_with_room = 240;

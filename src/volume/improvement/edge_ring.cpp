@@ -26,7 +26,8 @@ class EdgeRingOperation : public Operation {
     bool plan(int tet, Change& change, Footprint& footprint) override {
         double least = inverted_flatness;
         visit_rings(complex_, tet, footprint, [&](const EdgeRing& ring) {
-            const double limit = std::min(least, Objective::improved(worst_of(ring.all_tets()), change.price.angle));
+            const double limit =
+                std::min(least, Objective::improved(objective_.worst(complex_, ring.all_tets()), change.price.angle));
             const RingTriangulation<> found = triangulate_ring<WorstOf>(ring.size, limit, [&](int i, int j, int k) {
                 const int a = ring.vertices[i], b = ring.vertices[j], c = ring.vertices[k];
                 const double upper = objective_.flaw(complex_, {a, b, c, ring.to});
@@ -47,12 +48,6 @@ class EdgeRingOperation : public Operation {
     }
 
   private:
-    double worst_of(std::span<const int> tets) const {
-        double worst = 0;
-        for (const int t : tets) worst = std::max(worst, objective_.flaw(complex_, complex_.tets[t]));
-        return worst;
-    }
-
     const TetComplex& complex_;
     const Objective& objective_;
 };

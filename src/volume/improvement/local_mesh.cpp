@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "volume/improvement/star_shape.h"
+#include "core/directions.h"
 #include "volume/tets/tet_topology.h"
 
 namespace featuremesh {

@@ -19,11 +19,6 @@ constexpr int rings_of_patch = 2;
 /// Where so many tets meet, or so many are bad, a try would take as long as hundreds elsewhere.
 constexpr std::size_t most_tets = 400, most_bad_tets = 20, most_refills_of_patch = 3;
 
-Tet sorted(Tet tet) {
-    std::sort(tet.begin(), tet.end());
-    return tet;
-}
-
 /// Some tets of a mesh as a complex of their own, in which nothing can change that others touch.
 struct Patch {
     TetComplex complex;

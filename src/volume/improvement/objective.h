@@ -12,8 +12,10 @@
 
 #include "core/geometry.h"
 #include "volume/tets/flatness_of_four.h"
+#include "volume/tets/needles.h"
 #include "volume/tets/tet_complex.h"
 #include "volume/tets/tet_measures.h"
+#include "volume/tets/thin_tets.h"
 
 namespace featuremesh {
 
@@ -69,20 +71,21 @@ class Objective {
     /// How bad a tet is. Up to 1: the largest squared cosine of its dihedral angles (`flatness`), but for the angle
     /// that the CAD forces upon a needle. Above 1, worse than any angle: it is too thin or barred, 2 without volume.
     double flaw(const std::array<Vec3, 4>& corners, const std::array<bool, 4>& is_on_boundary) const {
-        if (options_.least_volume > 0 && may_be_thin(corners))
-            if (const double thick = thickness(corners); thick < 1)
+        if (options_.least_volume > 0 && may_be_thin(corners, options_.least_volume))
+            if (const double thick = thickness(corners, options_.least_volume); thick < 1)
                 return thick < least_thickness ? inverted_flatness : inverted_flatness - thick;
         const double all = flatness(corners[0], corners[1], corners[2], corners[3]);
         return all < least_flatness_of_needle || all > 1 ? all : unforced_flatness(all, corners, is_on_boundary);
     }
     double flaw(const TetComplex& complex, const std::array<int, 4>& tet) const;
+    double worst(const TetComplex& complex, std::span<const int> tets) const;
     /// The flaw of a tet, given what it is by its shape alone.
     double unless_barred(double by_shape, const std::array<int, 4>& tet) const {
         return by_shape < flaw_of_barred && is_barred(tet) ? flaw_of_barred : by_shape;
     }
     /// Those whose flaw is their flatness, wherever they are.
     PlainTets plain_tets() const {
-        return {options_.least_volume, least_share, least_flatness_of_needle, needle_share};
+        return {options_.least_volume, least_volume_share, least_flatness_of_needle, needle_share};
     }
     bool is_barred(const std::array<int, 4>& tet) const { return options_.is_barred && options_.is_barred(tet); }
     /// The tet is a needle whose worst angle is forced.
@@ -118,46 +121,16 @@ class Objective {
     bool looks_at_shapes() const { return options_.poor_shape > 0; }
     bool is_poor(double mean_shape) const { return mean_shape < options_.poor_shape; }
 
-    /// How far a tet is from being too thin: below 1 when its volume is less than the least, or its height about a
-    /// millionth of its other lengths; not positive without volume.
-    double thickness(const std::array<Vec3, 4>& corners) const;
-
-    /// The flatness of a needle without the angle opposite its short side: no mesh with both nodes has a larger one.
-    static double unforced_flatness(double flatness, const std::array<Vec3, 4>& corners,
-                                    const std::array<bool, 4>& is_on_boundary);
-
   private:
     /// Below this share of the target angle a new vertex is welcome even if the target stays out of reach.
     static constexpr double urgent_share = 0.85;
     /// What is thinner may be turned over but for rounding: no volume at all.
     static constexpr double least_thickness = 1e-6;
-    /// Of six volumes against the product of three edges: some way above what the validation of a mesh refuses.
-    static constexpr double least_share = 3e-6;
     static constexpr double flaw_of_barred = 1.999;  // all but as bad as a tet without volume
     static constexpr double penalty_of_thin = 1e8;
-    /// A needle's shortest side over its longest. If it is longer than that, the angle opposite to it is large enough
-    /// to be improved.
-    static constexpr double needle_share = 0.005;
-    /// No needle is less flat, and few other tets are as flat.
-    static constexpr double least_flatness_of_needle = 0.97;
-
-    /// A bound without roots, which nearly all tets pass.
-    bool may_be_thin(const std::array<Vec3, 4>& p) const {
-        const Vec3 u = p[1] - p[0], v = p[2] - p[0], w = p[3] - p[0];
-        const double six_volumes = dot(cross(u, v), w), longest = 4 * std::max({dot(u, u), dot(v, v), dot(w, w)});
-        return !(six_volumes >= 6 * options_.least_volume &&
-                 six_volumes * six_volumes >= least_share * least_share * longest * longest * longest);
-    }
 
     ObjectiveOptions options_;
     double asked_, target_, urgent_;
 };
-
-/// As the validation of a mesh has it, which refuses a mesh with such a tet.
-bool is_flat(const TetComplex& complex, const std::array<int, 4>& tet);
-/// Flat, or with clearly less than this volume, mm^3.
-bool is_too_thin(const TetComplex& complex, const std::array<int, 4>& tet, double least_volume);
-
-std::array<Vec3, 4> corners_of(const TetComplex& complex, const std::array<int, 4>& tet);
 
 }  // namespace featuremesh

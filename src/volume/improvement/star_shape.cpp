@@ -4,23 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/directions.h"
 #include "volume/tets/tet_topology.h"
 
 namespace featuremesh {
-
-const std::vector<Vec3>& directions_in_space() {
-    constexpr int direction_count = 24;
-    static const auto fibonacci_lattice = [] {
-        std::vector<Vec3> made;
-        const double golden = 2.39996322972865332;
-        for (int i = 0; i < direction_count; ++i) {
-            const double z = 1 - (2 * i + 1.0) / direction_count, r = std::sqrt(1 - z * z);
-            made.push_back({r * std::cos(golden * i), r * std::sin(golden * i), z});
-        }
-        return made;
-    }();
-    return fibonacci_lattice;
-}
 
 void StarShape::add(const Vec3& a, const Vec3& b, const Vec3& c, const std::array<bool, 3>& is_on_boundary) {
     const std::size_t lane = faces_.size() % FourTriangles::count;
@@ -31,13 +18,12 @@ void StarShape::add(const Vec3& a, const Vec3& b, const Vec3& c, const std::arra
 }
 
 void StarShape::gather(const TetComplex& complex, std::span<const int> star, int vertex) {
-    const auto is_outside = [&](int v) { return is_on_boundary(complex.mobility[static_cast<std::size_t>(v)]); };
-    clear(is_outside(vertex));
+    clear(is_on_boundary(complex.mobility[vertex]));
     for (const int t : star) {
         const Tet& v = complex.tets[t];
         const auto& face = opposite_face[corner_of(v, vertex)];
-        const int a = v[face[0]], b = v[face[1]], c = v[face[2]];
-        add(complex.points[a], complex.points[b], complex.points[c], {is_outside(a), is_outside(b), is_outside(c)});
+        const std::array seen{v[face[0]], v[face[1]], v[face[2]]};
+        add(complex.points[seen[0]], complex.points[seen[1]], complex.points[seen[2]], are_on_boundary(complex, seen));
     }
 }
 

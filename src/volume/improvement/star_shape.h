@@ -61,9 +61,6 @@ class StarShape {
     mutable std::vector<FourTriangles> fours_;  // the same, four at a time; the last may be filled up
 };
 
-/// Directions spread evenly over the sphere.
-const std::vector<Vec3>& directions_in_space();
-
 template <class MayBeAt>
 double StarShape::climb(Vec3& point, double good_enough, std::span<const Vec3> ways, const MayBeAt& may_be_at) const {
     // a search ends by itself with far fewer calls, but each call may gain by rounding alone

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,6 +29,18 @@ struct TetComplex {
     std::vector<int> tet_of_vertex;              ///< any one live tet of the vertex; -1 for none
     bool is_free(int vertex) const { return mobility[static_cast<std::size_t>(vertex)] == Mobility::free; }
 };
+
+inline std::array<Vec3, 4> corners_of(const TetComplex& complex, const std::array<int, 4>& tet) {
+    const auto& p = complex.points;
+    return {p[tet[0]], p[tet[1]], p[tet[2]], p[tet[3]]};
+}
+
+template <std::size_t count>
+std::array<bool, count> are_on_boundary(const TetComplex& complex, const std::array<int, count>& vertices) {
+    std::array<bool, count> are;
+    for (std::size_t i = 0; i < count; ++i) are[i] = is_on_boundary(complex.mobility[vertices[i]]);
+    return are;
+}
 
 /// Finds neighbours and tet_of_vertex from points and tets. A triangle between two regions counts as boundary (-1 for
 /// both tets). Throws MeshError where a triangle has more than two tets.

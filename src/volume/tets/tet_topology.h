@@ -2,6 +2,7 @@
 // Which corners make the faces and edges of a tet, all in even permutations so that orientation is kept.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -29,6 +30,12 @@ inline int corner_of(const Tet& tet, int vertex) {
 
 /// The face of a tet with these neighbours that leads to `tet`.
 inline int face_towards(const std::array<int, 4>& neighbours, int tet) { return corner_of(neighbours, tet); }
+
+/// The vertices, ascending.
+inline Tet sorted(Tet tet) {
+    std::sort(tet.begin(), tet.end());
+    return tet;
+}
 
 /// The three vertices of a face, ascending.
 inline std::array<int, 3> sorted_face(const Tet& tet, int face) {

@@ -11,7 +11,7 @@ using namespace featuremesh::testing;
 
 namespace {
 
-constexpr std::array<bool, 4> all_on_boundary{true, true, true, true}, none_on_boundary{};
+constexpr std::array<bool, 4> none_on_boundary{};
 
 struct ThinTets {
     int needles = 0, others = 0;
@@ -32,25 +32,7 @@ ThinTets thin_tets(const Mesh& mesh, double angle_deg) {
     return thin;
 }
 
-double unforced(const std::array<Vec3, 4>& tet, const std::array<bool, 4>& is_on_boundary) {
-    return Objective::unforced_flatness(flatness(tet[0], tet[1], tet[2], tet[3]), tet, is_on_boundary);
-}
-
 }  // namespace
-
-TEST_CASE("the angle opposite a needle's short side does not count") {
-    const std::array<Vec3, 4> needle{{{0, 0, 0}, {1e-4, 0, 0}, {0.3, 1, -0.6}, {-0.2, 0.8, 0.7}}};
-    const double all = flatness(needle[0], needle[1], needle[2], needle[3]);
-    REQUIRE(angle_of_flatness(all) < 0.01);
-    CHECK(angle_of_flatness(unforced(needle, all_on_boundary)) > 20);
-    CHECK(unforced(needle, none_on_boundary) == all);
-    CHECK(unforced(needle, {true, false, true, true}) == all);
-}
-
-TEST_CASE("a needle without volume stays the worst there is") {
-    const std::array<Vec3, 4> flat{{{0, 0, 0}, {1e-4, 0, 0}, {0.3, 1, 0}, {-0.2, 0.8, 0}}};
-    CHECK(unforced(flat, all_on_boundary) == inverted_flatness);
-}
 
 TEST_CASE("a tet that is too thin is worse than any angle, and the worse the thinner") {
     const Objective objective = objective_for(30, 1e-3);
@@ -62,7 +44,7 @@ TEST_CASE("a tet that is too thin is worse than any angle, and the worse the thi
     CHECK(flaw_of_height(5e-3) > 1);
     CHECK(flaw_of_height(4e-3) > flaw_of_height(5e-3));
     CHECK(flaw_of_height(-1) == inverted_flatness);
-    CHECK(objective.thickness({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 3e-3}}}) == Approx(0.5));
+    CHECK(thickness({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.3, 0.3, 3e-3}}}, 1e-3) == Approx(0.5));
 }
 
 TEST_CASE("values are compared level by level") {
