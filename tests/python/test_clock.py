@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""No clock and no number of threads decides what a mesh is: the examples and an edit of each, the same bytes by clocks that run a
-thousand times too fast and too slow, and with 1, 2 and 4 threads."""
+"""No clock and no number of threads decides what a mesh is: the examples, ten random documents and an edit of each, the same bytes by clocks that
+run a thousand times too fast and too slow, and with 1, 2 and 4 threads."""
 import json
 import os
+import random
 import subprocess
 import sys
 import tempfile
@@ -10,6 +11,7 @@ import unittest
 from pathlib import Path
 
 import FreeCAD
+from detailed_parts import detailed_part
 from freecad.featuremesh import api, reading, worker
 from parts import new_document, placement
 
@@ -80,6 +82,37 @@ class Clock(InProcesses):
                 self.assertLess(slow["clock"], 0.05)
                 self.assertEqual(fast["digest"], usual["digest"], "by a fast clock")
                 self.assertEqual(slow["digest"], usual["digest"], "by a slow clock")
+
+
+class RandomDocuments(InProcesses):
+    def bored(self, shape, elements):
+        """What is read of a document with a bore through the shape, and of the same with a wider bore; a size for so many elements along the diagonal."""
+        document = new_document()
+        try:
+            solid, bore = document.addObject("Part::Feature", "Imported"), document.addObject("Part::Cylinder", "Bore")
+            part = document.addObject("Part::Cut", "Bored")
+            solid.Shape, part.Base, part.Tool = shape, solid, bore
+            box = shape.BoundBox
+            bore.Radius, bore.Height = 0.05 * box.DiagonalLength, 3 * box.DiagonalLength
+            bore.Placement.Base = box.Center - FreeCAD.Vector(0, 0, box.DiagonalLength)
+            document.recompute()
+            old = self.written(part, "old")
+            bore.Radius = 1.2 * bore.Radius.Value
+            document.recompute()
+            return old, self.written(part, "new"), api.default_size(part, elements)
+        finally:
+            FreeCAD.closeDocument(document.Name)
+
+    def test_same_bytes_of_ten(self):
+        chance = random.Random(8)
+        for number in range(10):
+            shape, words = detailed_part(chance)
+            with self.subTest(number=number, part=words):
+                old, new, size = self.bored(shape, 12)
+                order = 1 + number % 2
+                usual = self.made(old, new, size, order)
+                for threads, clock in ((2, FAST), (4, SLOW)):
+                    self.assertEqual(self.made(old, new, size, order, threads, clock)["digest"], usual["digest"], f"{threads} threads, {clock} times the time")
 
 
 class LargeCavities(InProcesses):
