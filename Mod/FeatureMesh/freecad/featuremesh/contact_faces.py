@@ -6,28 +6,19 @@ be both parts. The mesh knows better: a part's nodes are its own, and the mesh h
 elements whose corners on the face are in that group. This wraps the functions that FreeCAD's writer of CalculiX input asks.
 """
 
-import functools
-import importlib
+from .wrapping import wrap
 
 _MODULE = "femmesh.meshtools"
 _FUNCTIONS = ("get_contact_obj_faces", "get_tie_obj_faces")   # 0.20 and 1.0
 _FUNCTION_OF_ONE = "get_ccx_subelements_by_references"         # 1.1: one reference at a time, those of pressures, too
-_MARK = "is_reduced_by_featuremesh"
 _CORNERS = 3
 
 
 def install():
     """To be called once one of our meshes is there; further calls do nothing."""
-    try:
-        module = importlib.import_module(_MODULE)
-    except ImportError:
-        return
-    for name, wrapper in [(name, _of_both) for name in _FUNCTIONS] + [(_FUNCTION_OF_ONE, _of_one)]:
-        original = getattr(module, name, None)
-        if original is not None and not hasattr(original, _MARK):
-            wrapped = functools.wraps(original)(functools.partial(wrapper, original))
-            setattr(wrapped, _MARK, True)
-            setattr(module, name, wrapped)
+    for name in _FUNCTIONS:
+        wrap(_MODULE, None, name, _of_both)
+    wrap(_MODULE, None, _FUNCTION_OF_ONE, _of_one)
 
 
 def of_face(fem_mesh, name, elements):

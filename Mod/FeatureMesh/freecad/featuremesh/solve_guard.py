@@ -6,14 +6,12 @@ Mystran. Each passes one of the functions below on its way, which are wrapped on
 as ever.
 """
 
-import functools
-import importlib
-
 import FreeCAD
 
 from . import analyses, assembled, history, references, results, versions
 from .errors import UserError
 from .reading import dependencies, describe
+from .wrapping import wrap
 
 translate = FreeCAD.Qt.translate
 # How the window shows a refusal; None: in the report view.
@@ -72,24 +70,8 @@ def refuse(analysis):
 
 def install():
     """To be called once one of our meshes is there; further calls do nothing. What a FreeCAD has not, cannot solve in it."""
-    for module_name, owner_name, name, guard in _GUARDED:
-        try:
-            module = importlib.import_module(module_name)
-            owner = getattr(module, owner_name) if owner_name else module
-            original = getattr(owner, name)
-        except (ImportError, AttributeError):
-            continue
-        if not getattr(original, "is_guarded_by_featuremesh", False):
-            guarded = functools.wraps(original)(functools.partial(guard, original)) if not owner_name else _method(original, guard)
-            guarded.is_guarded_by_featuremesh = True
-            setattr(owner, name, guarded)
-
-
-def _method(original, guard):
-    @functools.wraps(original)
-    def guarded(self, *rest, **named):
-        return guard(original, self, *rest, **named)
-    return guarded
+    for guarded in _GUARDED:
+        wrap(*guarded)
 
 
 def _of_run(original, solver, *rest, **named):

@@ -4,7 +4,7 @@
 import functools
 import importlib
 
-_MARK = "is_wrapped_by_featuremesh"
+_WRAPPERS = "wrappers_of_featuremesh"   # those that a function has
 
 
 def wrap(module_name, class_name, function, wrapper):
@@ -15,9 +15,10 @@ def wrap(module_name, class_name, function, wrapper):
         return
     owner = getattr(module, class_name, None) if class_name else module
     original = getattr(owner, function, None)
-    if original is None or hasattr(original, _MARK):
+    wrappers = getattr(original, _WRAPPERS, ())
+    if original is None or wrapper in wrappers:
         return
     wrapped = functools.wraps(original)(functools.partial(wrapper, original) if class_name is None
-                                        else lambda self, *rest: wrapper(original, self, *rest))
-    setattr(wrapped, _MARK, True)
+                                        else lambda self, *rest, **named: wrapper(original, self, *rest, **named))
+    setattr(wrapped, _WRAPPERS, (*wrappers, wrapper))
     setattr(owner, function, wrapped)
