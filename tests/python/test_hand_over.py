@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """FreeCAD's mesh has the nodes, elements, numbers and groups of the engine's, whichever way it is handed over."""
 import os
+import re
 import shutil
 import tempfile
 import unittest
@@ -51,6 +52,22 @@ def analysis_with_rigid_end(mesh):
     fixed.References, end.References, end.ReferenceNode = [(part, held)], [(part, pulled)], FreeCAD.Vector(60, 20, 5)
     end.TranslationalModeZ, end.ForceZ = "Load", "1000 N"
     for member in (fixed, end, mesh):
+        analysis.addObject(member)
+    document.recompute()
+    return analysis
+
+
+def analysis_of_turning_bars(part, mesh):
+    """Two bars that turn round the y axis, held at their inner ends; the load is on the second one."""
+    document = mesh.Document
+    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+    add_solver(document, analysis)
+    add_material(document, analysis, "Steel", STEEL)
+    fixed, load = ObjectsFem.makeConstraintFixed(document, "Fixed"), ObjectsFem.makeConstraintCentrif(document, "Turning")
+    fixed.References = [(part, "Face%d" % (i + 1)) for i, face in enumerate(part.Shape.Faces) if face.BoundBox.XMax < 1e-6]
+    axis = next("Edge%d" % (i + 1) for i, edge in enumerate(part.Shape.Edges) if edge.BoundBox.XMax < 1e-6 and edge.BoundBox.YLength > 1)
+    load.References, load.RotationAxis, load.RotationFrequency = [(part, "Solid2")], [(part, axis)], "50 1/s"
+    for member in (fixed, load, mesh):
         analysis.addObject(member)
     document.recompute()
     return analysis
@@ -157,6 +174,30 @@ class HandOver(unittest.TestCase):
         found = solve(analysis)
         api.renumber_mesh(mesh)
         self.assertAlmostEqual(found["displacement"] / solve(analysis)["displacement"], 1, delta=1e-6)
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not there")
+    def test_a_centrifugal_load_on_one_of_two_solids(self):
+        document = new_document()
+        bars = [document.addObject("Part::Box", name) for name in ("First", "Second")]
+        for bar, y in zip(bars, (0, 30)):
+            bar.Length, bar.Placement.Base = 40, FreeCAD.Vector(0, y, 0)
+        both = document.addObject("Part::Compound", "Both")
+        both.Links = bars
+        document.recompute()
+        mesh = api.add_mesh(both, 5)
+        analysis = analysis_of_turning_bars(both, mesh)
+        for length in (40, 50):
+            bars[1].Length = length
+            document.recompute()
+            with mock.patch("femmesh.meshtools.get_femelement_sets", side_effect=AssertionError("searched")):
+                found = solve(analysis)
+            listed = re.search(r"\*ELSET,ELSET=Turning\n([\d,\s]*)", found["input"]).group(1)
+            points = mesh.FemMesh.Nodes
+            self.assertEqual({int(number) for number in re.findall(r"\d+", listed)},
+                             {number for number in mesh.FemMesh.Volumes if all(points[node].y > 20 for node in mesh.FemMesh.getElementNodes(number))})
+            solved, places = found["result"], found["result"].Mesh.FemMesh.Nodes
+            first = [vector.Length for node, vector in zip(solved.NodeNumbers, solved.DisplacementVectors) if places[node].y < 20]
+            self.assertLess(max(first), 1e-9 * found["displacement"])
 
     def test_nothing(self):
         mesh = self.meshed()

@@ -210,7 +210,7 @@ def everything_in_groups(part_mesh, entities=None):
 
 def analysis_groups(mesh, resolver, entities):
     """The groups by which the solver's writer finds the nodes of constraints, of each face that these refer to (see contact_faces) and the elements of
-    materials."""
+    materials and of centrifugal loads on solids (see chosen_solids)."""
     groups, faces = [], {}
     members = [member for analysis in mesh.InList if analysis.isDerivedFrom("Fem::FemAnalysis")
                for member in analysis.Group]
@@ -222,6 +222,8 @@ def analysis_groups(mesh, resolver, entities):
         if foreign or not names:
             continue   # not all of it is on the part
         groups.append((member.Name + "_Nodes", "Node", _union([entities.nodes(name) for name in names])))
+        if getattr(getattr(member, "Proxy", None), "Type", "") == "Fem::ConstraintCentrif" and all(name.startswith("Solid") for name in names):
+            groups.append((member.Name + "_Volumes", "Volume", _union([entities.elements(name) for name in names])))
         faces.update((name + "_Nodes", entities.nodes(name)) for name in names if name.startswith("Face"))
     if len(materials) > 1:
         groups += material_groups(materials, resolver, entities)

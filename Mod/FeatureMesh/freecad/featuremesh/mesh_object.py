@@ -9,7 +9,7 @@ import FreeCAD
 import Fem
 import numpy as np
 
-from . import adopt, analyses, contact_faces, copied_part, engine, hand_over, history, log, mesh_properties, messages, mixed_elements, references, refinements
+from . import adopt, analyses, chosen_solids, contact_faces, copied_part, engine, hand_over, history, log, mesh_properties, messages, mixed_elements, references, refinements
 from . import results, rigid_bodies, solve_guard, state, state_property, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .job import MeshJob
@@ -511,7 +511,7 @@ class FeatureMesh:
     def _get_ready(self, mesh):
         mesh_properties.add(mesh)
         history.watch()
-        for part in (solve_guard, contact_faces, mixed_elements, rigid_bodies):
+        for part in (solve_guard, contact_faces, chosen_solids, mixed_elements, rigid_bodies):
             part.install()
         for hook in on_ready:
             hook(mesh)
