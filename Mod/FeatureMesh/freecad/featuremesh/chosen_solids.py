@@ -1,23 +1,41 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gives FreeCAD's writer of CalculiX input the elements of centrifugal loads on chosen solids, which the mesh has groups of.
+"""Gives FreeCAD's writer of CalculiX input the elements of loads on chosen solids (centrifugal ones, in 1.1 body heat sources, too) from the mesh's groups.
 
-FreeCAD asks for the distance of every node from the solid, which takes 12 s for 2500 elements; by groups only where the loads leave no solid out.
+FreeCAD asks for the distance of every node from the solid, which takes 12 s for 2500 elements.
 """
 
+import importlib
+
 from .wrapping import wrap
+
+_MODULE = "femmesh.meshtools"
+_FUNCTION_OF_ONE = "get_ccx_elements_by_references"   # since 1.1: one reference at a time
 
 
 def install():
     """To be called once one of our meshes is there; further calls do nothing."""
-    wrap("femmesh.meshsetsgetter", "MeshSetsGetter", "get_constraints_centrif_elements", _of_centrifugal)
+    if hasattr(importlib.import_module(_MODULE), _FUNCTION_OF_ONE):
+        wrap(_MODULE, None, _FUNCTION_OF_ONE, _of_one)
+    else:
+        wrap("femmesh.meshsetsgetter", "MeshSetsGetter", "get_constraints_centrif_elements", _of_centrifugal)
+
+
+def _elements_of(fem_mesh, name):
+    """None where the mesh has no group of that solid."""
+    group = next((group for group in fem_mesh.Groups if fem_mesh.getGroupName(group) == name), None)
+    return None if group is None or not name.startswith("Solid") else list(fem_mesh.getGroupElements(group))
+
+
+def _of_one(original, getter, pair):
+    found = _elements_of(getter.femmesh, pair[1])
+    return original(getter, pair) if found is None else ((pair[0], (pair[1],)), found)
 
 
 def _of_centrifugal(original, getter):
-    fem_mesh, loads = getter.femmesh, getter.member.cons_centrif
-    groups = {fem_mesh.getGroupName(group): group for group in fem_mesh.Groups}
-    found = [groups.get(load["Object"].Name + "_Volumes") for load in loads]
-    if None in found:
+    loads = getter.member.cons_centrif
+    found = [[_elements_of(getter.femmesh, name) for _, names in load["Object"].References for name in names] for load in loads]
+    if not all(found) or any(None in elements for elements in found):
         original(getter)
         return
-    for load, group in zip(loads, found):
-        load["FEMElements"] = list(fem_mesh.getGroupElements(group))
+    for load, elements in zip(loads, found):
+        load["FEMElements"] = sum(elements, [])

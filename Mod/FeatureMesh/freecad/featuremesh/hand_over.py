@@ -209,9 +209,9 @@ def everything_in_groups(part_mesh, entities=None):
 
 
 def analysis_groups(mesh, resolver, entities):
-    """The groups by which the solver's writer finds the nodes of constraints, of each face that these refer to (see contact_faces) and the elements of
-    materials and of centrifugal loads on solids (see chosen_solids)."""
-    groups, faces = [], {}
+    """The groups by which the solver's writer finds the nodes of constraints, those of each face and the elements of each solid that these refer to (see
+    contact_faces and chosen_solids), and the elements of materials."""
+    groups, faces, solids = [], {}, {}
     members = [member for analysis in mesh.InList if analysis.isDerivedFrom("Fem::FemAnalysis")
                for member in analysis.Group]
     materials = [member for member in members if _is_material(member)]
@@ -222,12 +222,11 @@ def analysis_groups(mesh, resolver, entities):
         if foreign or not names:
             continue   # not all of it is on the part
         groups.append((member.Name + "_Nodes", "Node", _union([entities.nodes(name) for name in names])))
-        if getattr(getattr(member, "Proxy", None), "Type", "") == "Fem::ConstraintCentrif" and all(name.startswith("Solid") for name in names):
-            groups.append((member.Name + "_Volumes", "Volume", _union([entities.elements(name) for name in names])))
         faces.update((name + "_Nodes", entities.nodes(name)) for name in names if name.startswith("Face"))
+        solids.update((name, entities.elements(name)) for name in names if name.startswith("Solid"))
     if len(materials) > 1:
         groups += material_groups(materials, resolver, entities)
-    return groups + [(name, "Node", nodes) for name, nodes in faces.items()]
+    return groups + [(name, "Node", nodes) for name, nodes in faces.items()] + [(name, "Volume", elements) for name, elements in solids.items()]
 
 
 def renew_analysis_groups(mesh, resolver, arrays):
