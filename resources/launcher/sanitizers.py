@@ -9,7 +9,7 @@ from engine_build import alone, processes_at_once
 from layout import BUILD, CGAL, ROOT, Failure
 from setup_log import run_logged, say
 
-# asan also finds undefined behaviour. It is for Clang, which takes three fifths of GCC's time, and without ccache: Clang refuses a precompiled header when a
+# asan also finds undefined behaviour. Both are for Clang, which takes three fifths of GCC's time, and without ccache: Clang refuses a precompiled header when a
 # file that it was made of has another time.
 PRESET_OF = {"address": "asan", "thread": "tsan"}
 # The kernel keeps what it allocated once to the end, so what is left then says nothing of us. Debian's libraries are built without the
