@@ -340,13 +340,18 @@ class Blocks(BlockParts):
         self.assertAlmostEqual(self.area_of(body, load), 2000)
         self.assertTrue(any("become one" in line for line in warnings_of(self.mesh)), warnings_of(self.mesh))
 
-    def test_two_solids_that_overlap(self):
-        """Their tops lie in one plane, on one another, until one is higher; the other one stays what it was."""
+    def overlapping(self):
+        """Two boxes whose tops lie in one plane, on one another."""
         left, right = (self.document.addObject("Part::Box", name) for name in ("Left", "Right"))
         right.Placement.Base = FreeCAD.Vector(7, 0, 0)
         both = self.document.addObject("Part::Compound", "Both")
         both.Links = [left, right]
         self.document.recompute()
+        return left, right, both
+
+    def test_two_solids_that_overlap(self):
+        """One gets higher; the other one stays what it was."""
+        _, right, both = self.overlapping()
         load = self.load(both, "Face12")
         self.mesh_of(both)
         right.Height = 13
@@ -354,11 +359,7 @@ class Blocks(BlockParts):
         self.assertEqual(names_of(load), [("Both", self.face_at(both, "Z", 13))])
 
     def test_two_solids_that_overlap_and_both_get_higher(self):
-        left, right = (self.document.addObject("Part::Box", name) for name in ("Left", "Right"))
-        right.Placement.Base = FreeCAD.Vector(7, 0, 0)
-        both = self.document.addObject("Part::Compound", "Both")
-        both.Links = [left, right]
-        self.document.recompute()
+        left, right, both = self.overlapping()
         loads = [self.load(both, face) for face in ("Face6", "Face12")]
         self.mesh_of(both)
         left.Height, right.Height = 12, 13

@@ -6,6 +6,7 @@ FreeCAD asks for the distance of every node from the solid, which takes 12 s for
 
 import importlib
 
+from . import analyses, versions
 from .wrapping import wrap
 
 _MODULE = "femmesh.meshtools"
@@ -20,20 +21,25 @@ def install():
         wrap("femmesh.meshsetsgetter", "MeshSetsGetter", "get_constraints_centrif_elements", _of_centrifugal)
 
 
-def _elements_of(fem_mesh, name):
-    """None where the mesh has no group of that solid."""
+def _elements_of(getter, obj, name):
+    """None where that is no solid of the meshed part, or the mesh has no group of it."""
+    source = analyses.source_of(getter.mesh_object)
+    if source is None or obj != versions.part_of(source) or not name.startswith("Solid"):
+        return None
+    fem_mesh = getter.femmesh
     group = next((group for group in fem_mesh.Groups if fem_mesh.getGroupName(group) == name), None)
-    return None if group is None or not name.startswith("Solid") else list(fem_mesh.getGroupElements(group))
+    return None if group is None else list(fem_mesh.getGroupElements(group))
 
 
 def _of_one(original, getter, pair):
-    found = _elements_of(getter.femmesh, pair[1])
-    return original(getter, pair) if found is None else ((pair[0], (pair[1],)), found)
+    obj, name = pair
+    found = _elements_of(getter, obj, name)
+    return original(getter, pair) if found is None else ((obj, (name,)), found)
 
 
 def _of_centrifugal(original, getter):
     loads = getter.member.cons_centrif
-    found = [[_elements_of(getter.femmesh, name) for _, names in load["Object"].References for name in names] for load in loads]
+    found = [[_elements_of(getter, obj, name) for obj, names in load["Object"].References for name in names] for load in loads]
     if not all(found) or any(None in elements for elements in found):
         original(getter)
         return
