@@ -58,7 +58,7 @@ struct Sources {
 /// Runs the kernel's builder and answers what became of the solids' parts. A lone solid needs no builder.
 class Builder {
   public:
-    Builder(const Sources& sources, const FuseOptions& options, RunContext& context) {
+    Builder(const Sources& sources, const FuseOptions& options, RunContext& context) : builder_(context) {
         const TopTools_IndexedMapOfShape different = arguments_of(sources);
         if (different.Extent() < 2) return;
         const Handle(WorkLimit) limit = new WorkLimit(options.work, context);
@@ -71,7 +71,6 @@ class Builder {
         filler_.SetNonDestructive(true);
         filler_.SetFuzzyValue(options.fuzzy);
         filler_.SetRunParallel(context.threads > 1);
-        builder_.SetRunParallel(context.threads > 1);
         try {
             on_threads(context, [&] { perform(limit->Start()); });
         } catch (const Standard_Failure& failure) {

@@ -10,7 +10,6 @@
 #include <BRep_Tool.hxx>
 #include <Bnd_Tools.hxx>
 #include <Message_ProgressScope.hxx>
-#include <OSD_Parallel.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -235,8 +234,8 @@ void SolidSplitter::divide(std::deque<Split>& splits, const Message_ProgressRang
     Message_ProgressScope scope(range, "pieces", static_cast<double>(divided.size()));
     std::vector<Message_ProgressRange> ranges;
     for (std::size_t i = 0; i < divided.size(); ++i) ranges.push_back(scope.Next());
-    const auto perform = [&](int i) { divided[i]->pieces.Perform(ranges[i]); };
-    OSD_Parallel::For(0, static_cast<int>(divided.size()), perform, !myRunParallel);
+    parallel_for(context_, divided.size(), 1,
+                 [&](std::size_t i, std::size_t) { divided[i]->pieces.Perform(ranges[i]); });
     UserBreak(scope);
 }
 

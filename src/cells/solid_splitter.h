@@ -7,6 +7,8 @@
 #include <deque>
 #include <vector>
 
+#include "core/run_context.h"
+
 namespace featuremesh {
 
 /// A general fuse of solids that makes no more than the solids' and faces' images: no shells, no history and nothing
@@ -16,7 +18,11 @@ namespace featuremesh {
 /// must not be inside out.
 class SolidSplitter : public BOPAlgo_Builder {
   public:
-    SolidSplitter() { SetCheckInverted(false); }
+    /// Runs in parallel where `context` has several threads.
+    explicit SolidSplitter(RunContext& context) : context_(context) {
+        SetCheckInverted(false);
+        SetRunParallel(context.threads > 1);
+    }
 
     /// What became of a solid or a face of the arguments: itself if it was not divided, nothing if it is gone.
     std::vector<TopoDS_Shape> images_of(const TopoDS_Shape& shape) const;
@@ -34,6 +40,8 @@ class SolidSplitter : public BOPAlgo_Builder {
     void join(const std::deque<Split>& splits);
     void collect();
     bool are_faces_divided(const TopoDS_Shape& shell) const;
+
+    RunContext& context_;
 };
 
 }  // namespace featuremesh

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <ctime>
 #include <new>
@@ -142,19 +143,21 @@ class Child {
         return status;
     }
 
-    /// Has it used the processor since it was asked last?
+    /// Has it used the processor since it last had? More than a thread that wakes now and then to look at a clock.
     bool is_at_work() {
+        constexpr std::chrono::milliseconds least{5};
         clockid_t clock = 0;
-        timespec used{};
-        if (clock_getcpuclockid(process_, &clock) != 0 || clock_gettime(clock, &used) != 0) return false;
-        const bool is_more = used.tv_sec != used_.tv_sec || used.tv_nsec != used_.tv_nsec;
+        timespec now{};
+        if (clock_getcpuclockid(process_, &clock) != 0 || clock_gettime(clock, &now) != 0) return false;
+        const auto used = std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
+        if (used < used_ + least) return false;
         used_ = used;
-        return is_more;
+        return true;
     }
 
     pid_t process_;
     int in_;
-    timespec used_{};
+    std::chrono::nanoseconds used_{};
 };
 
 }  // namespace

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/run_context.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <exception>
 #include <limits>
@@ -54,19 +51,6 @@ void RunContext::check_cancelled() const {
     throw Cancelled();
 }
 
-/// Threads that wait for the next loop: to gather them anew takes longer than many a loop.
-struct RunContext::Arena {
-    explicit Arena(int of) : count(of), threads(of) {}
-    int count;
-    tbb::task_arena threads;
-};
-
-std::shared_ptr<RunContext::Arena> RunContext::arena() const {
-    const std::scoped_lock lock(arena_mutex_);
-    if (!arena_ || arena_->count != threads) arena_ = std::make_shared<Arena>(threads);
-    return arena_;
-}
-
 namespace {
 
 /// What the lowest of the chunks that failed threw: the one that one thread would have met.
@@ -106,17 +90,8 @@ void parallel_for(RunContext& context, std::size_t count, std::size_t grain,
         return;
     }
     FirstFailure failure;
-    const auto try_chunk = [&](std::size_t chunk) { failure.note_of(chunk, run_chunk); };
-    on_threads(context, [&] {
-        // a thread that waits for its part of this loop must not begin with a part of an outer one
-        tbb::this_task_arena::isolate([&] { tbb::parallel_for(std::size_t{0}, chunks, try_chunk); });
-    });
+    run_on_threads(context, chunks, [&](std::size_t chunk) { failure.note_of(chunk, run_chunk); });
     failure.rethrow();
-}
-
-void on_threads(const RunContext& context, const std::function<void()>& work) {
-    const std::shared_ptr<RunContext::Arena> arena = context.arena();
-    arena->threads.execute(work);
 }
 
 }  // namespace featuremesh

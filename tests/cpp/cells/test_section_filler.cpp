@@ -59,7 +59,8 @@ void check_against_kernel(const std::vector<TopoDS_Shape>& shapes) {
     filler.SetArguments(list_of(shapes));
     filler.SetNonDestructive(true);
     filler.Perform();
-    SolidSplitter ours;
+    RunContext context;
+    SolidSplitter ours(context);
     ours.SetArguments(list_of(shapes));
     ours.PerformWithFiller(filler);
     REQUIRE_FALSE(ours.HasErrors());
