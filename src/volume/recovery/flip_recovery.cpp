@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/errors.h"
 #include "core/geometry.h"
 #include "core/sort_once.h"
 #include "core/sorted_pair.h"
@@ -430,13 +429,11 @@ FlippedTriangulation recover_all(const Cavity& cavity, const CavityFill& fill, c
 FlippedTriangulation recover_by_flips(const Cavity& cavity, const CavityFill& fill, RunContext& context) {
     FlippedTriangulation flipped = recover_all(cavity, fill, context);
     if (flipped.tets) return flipped;
+    std::optional<std::vector<Vec3>> points = levelled_points(cavity, fill.points);
+    if (!points) return flipped;
     CavityFill levelled;
-    levelled.points = levelled_points(cavity, fill.points);
-    try {
-        levelled.triangulation = delaunay(levelled.points, context);
-    } catch (const MeshError&) {  // levelling has made one of two
-        return flipped;
-    }
+    levelled.points = std::move(*points);
+    levelled.triangulation = delaunay(levelled.points, context);
     levelled.places = find_facets(levelled.triangulation, levelled.points.size(), cavity.facets, context);
     FlippedTriangulation second = recover_all(cavity, levelled, context);
     if (second.tets) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 namespace featuremesh {
 
@@ -60,9 +61,15 @@ void level(std::vector<double>& values, double tolerance) {
     }
 }
 
+bool are_distinct(std::vector<Vec3> points) {
+    const auto place = [](const Vec3& p) { return std::tuple(p.x, p.y, p.z); };
+    std::sort(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) { return place(a) < place(b); });
+    return std::adjacent_find(points.begin(), points.end()) == points.end();
+}
+
 }  // namespace
 
-std::vector<Vec3> levelled_points(const Cavity& cavity, const std::vector<Vec3>& points) {
+std::optional<std::vector<Vec3>> levelled_points(const Cavity& cavity, const std::vector<Vec3>& points) {
     constexpr double tolerance_of_extent = 1e-9;
     const std::array<Vec3, 3> axes = frame_of(cavity);
     const Vec3 origin = points.front();
@@ -77,6 +84,7 @@ std::vector<Vec3> levelled_points(const Cavity& cavity, const std::vector<Vec3>&
     for (auto& values : along) level(values, tolerance_of_extent * extent);
     std::vector<Vec3> result;
     for (std::size_t i = 0; i < points.size(); ++i) result.push_back({along[0][i], along[1][i], along[2][i]});
+    if (!are_distinct(result)) return {};
     return result;
 }
 

@@ -57,7 +57,7 @@ TEST_CASE("in the frame of its facets a turned box has its planes exactly, but f
     std::vector<Vec3> points = cavity.points;
     for (std::size_t n = 0; n < mesh.node_count(); ++n)
         if (mesh.entities[n].dim == 3) points.push_back(mesh.points[n]);
-    const std::vector<Vec3> levelled = levelled_points(cavity, points);
+    const std::vector<Vec3> levelled = levelled_points(cavity, points).value();
     REQUIRE(levelled.size() == points.size());
     CHECK(places_along(levelled) == std::array<std::size_t, 3>{cubes + 1, cubes + 1, cubes + 1});
     double worst = 0;
@@ -70,7 +70,7 @@ TEST_CASE("in the frame of its facets a turned box has its planes exactly, but f
 TEST_CASE("the frame that points are levelled in is right-handed, so that volumes keep their signs") {
     const Mesh mesh = turned_box(0.8);
     const Cavity cavity = cavity_of(mesh);
-    const std::vector<Vec3> levelled = levelled_points(cavity, mesh.points);
+    const std::vector<Vec3> levelled = levelled_points(cavity, mesh.points).value();
     double worst = 0;
     for (const auto& tet : mesh.tets) {
         const auto at = [&](int corner) { return levelled[tet[corner].index()]; };
@@ -85,6 +85,15 @@ TEST_CASE("what is off a plane by more than counts stays off it") {
     const Cavity cavity = cavity_of(mesh);
     std::vector<Vec3> points = cavity.points;
     points.push_back(points.front() + 1e-6 * normalized({1, -2, 0.5}));
-    const std::vector<Vec3> levelled = levelled_points(cavity, points);
+    const std::vector<Vec3> levelled = levelled_points(cavity, points).value();
     CHECK(distance(levelled.front(), levelled.back()) == Approx(1e-6));
+}
+
+TEST_CASE("where two points would become one nothing is levelled") {
+    const Mesh mesh = turned_box(0.8);
+    const Cavity cavity = cavity_of(mesh);
+    std::vector<Vec3> points = cavity.points;
+    REQUIRE(levelled_points(cavity, points).has_value());
+    points.push_back(points.front() + 1e-12 * normalized({1, -2, 0.5}));
+    CHECK_FALSE(levelled_points(cavity, points).has_value());
 }
