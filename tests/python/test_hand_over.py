@@ -191,13 +191,19 @@ class HandOver(unittest.TestCase):
             document.recompute()
             with mock.patch("femmesh.meshtools.get_femnodes_by_refshape", side_effect=AssertionError("searched")):
                 found = solve(analysis)
-            listed = re.search(r"\*ELSET,ELSET=Turning\n([\d,\s]*)", found["input"]).group(1)
-            points = mesh.FemMesh.Nodes
-            self.assertEqual({int(number) for number in re.findall(r"\d+", listed)},
-                             {number for number in mesh.FemMesh.Volumes if all(points[node].y > 20 for node in mesh.FemMesh.getElementNodes(number))})
+            self.assert_turns_second_bar(found, mesh)
             solved, places = found["result"], found["result"].Mesh.FemMesh.Nodes
             first = [vector.Length for node, vector in zip(solved.NodeNumbers, solved.DisplacementVectors) if places[node].y < 20]
             self.assertLess(max(first), 1e-9 * found["displacement"])
+        document.getObject("Turning").References = [(bars[1], "Solid1")]  # which is the first of its object, and the second of the meshed part
+        document.recompute()
+        self.assert_turns_second_bar(solve(analysis), mesh)
+
+    def assert_turns_second_bar(self, found, mesh):
+        listed = re.search(r"\*ELSET,ELSET=Turning\n([\d,\s]*)", found["input"]).group(1)
+        points = mesh.FemMesh.Nodes
+        self.assertEqual({int(number) for number in re.findall(r"\d+", listed)},
+                         {number for number in mesh.FemMesh.Volumes if all(points[node].y > 20 for node in mesh.FemMesh.getElementNodes(number))})
 
     def test_nothing(self):
         mesh = self.meshed()
