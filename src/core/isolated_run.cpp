@@ -143,7 +143,7 @@ class Child {
         return status;
     }
 
-    /// Has it used the processor since it last had? More than a thread that wakes now and then to look at a clock.
+    /// Has it used the processor since this was true last? A thread that only wakes to look at a clock is not at work.
     bool is_at_work() {
         constexpr std::chrono::milliseconds least{5};
         clockid_t clock = 0;
