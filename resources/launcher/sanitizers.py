@@ -14,9 +14,9 @@ from setup_log import run_logged, say
 PRESET_OF = {"address": "asan", "thread": "tsan"}
 # The kernel keeps what it allocated once to the end, so what is left then says nothing of us. Debian's libraries are built without the
 # thread sanitizer; what works on a copy of the process (core/isolated_run.h) starts a thread there.
-NAMES = "external_symbolizer_path=/usr/bin/llvm-symbolizer-16"   # functions and lines in what it finds
-OPTIONS = {"ASAN_OPTIONS": f"detect_leaks=0:detect_stack_use_after_return=1:{NAMES}", "UBSAN_OPTIONS": f"print_stacktrace=1:{NAMES}",
-           "TSAN_OPTIONS": f"ignore_noninstrumented_modules=1:halt_on_error=1:die_after_fork=0:{NAMES}"}
+SYMBOLIZER = "external_symbolizer_path=/usr/bin/llvm-symbolizer-16"   # functions and lines in what it finds
+OPTIONS = {"ASAN_OPTIONS": f"detect_leaks=0:detect_stack_use_after_return=1:{SYMBOLIZER}", "UBSAN_OPTIONS": f"print_stacktrace=1:{SYMBOLIZER}",
+           "TSAN_OPTIONS": f"ignore_noninstrumented_modules=1:halt_on_error=1:die_after_fork=0:{SYMBOLIZER}"}
 SECONDS_AT_MOST = 3600   # for one module: ten times what the slowest takes on two processors, for they may run in what other tests leave of these
 
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Set-up is quiet: what its programs say goes to build/setup.log, whose end is shown when one fails."""
+import contextlib
 import os
 import signal
 import subprocess
@@ -37,8 +38,9 @@ def wait_for(process):
     try:
         return process.wait()
     except KeyboardInterrupt:
-        if os.getsid(process.pid) == process.pid:
-            os.killpg(process.pid, signal.SIGTERM)
+        with contextlib.suppress(ProcessLookupError):   # it was interrupted, too, and has ended
+            if os.getsid(process.pid) == process.pid:
+                os.killpg(process.pid, signal.SIGTERM)
         process.terminate()
         process.wait()
         raise
