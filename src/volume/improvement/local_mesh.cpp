@@ -19,19 +19,37 @@ constexpr double good_triangle_deg = 15;
 constexpr double least_normal_cosine = 0.8;
 constexpr double most_change_of_volume = 0.005;
 
+/// Whether all angles of a triangle have a smaller cosine than that, or the same.
+bool has_no_sharper_angle(const Vec3& p, const Vec3& a, const Vec3& b, double cosine) {
+    const Vec3 to_a = a - p, to_b = b - p, side = b - a;
+    const double by_a = length(to_a), by_b = length(to_b), by_side = length(side);
+    return dot(to_a, to_b) <= cosine * by_a * by_b && -dot(to_a, side) <= cosine * by_a * by_side &&
+           dot(to_b, side) <= cosine * by_b * by_side;
+}
+
 double cosine_of_sharpest(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const auto cosine_at = [](const Vec3& p, const Vec3& q, const Vec3& r) {
-        return dot(normalized(q - p), normalized(r - p));
-    };
-    return std::max({cosine_at(a, b, c), cosine_at(b, c, a), cosine_at(c, a, b)});
+    const Vec3 ab = normalized(b - a), bc = normalized(c - b), ca = normalized(a - c);
+    return -std::min({dot(ab, ca), dot(ab, bc), dot(bc, ca)});
 }
 
 /// The other two corners, so that the triangle has the same sense with any vertex before them.
-std::array<Vec3, 2> triangle_from(const TetComplex& complex, const Tet& tet, int face, int vertex) {
+LocalMesh::RimTriangle triangle_from(const TetComplex& complex, const Tet& tet, int face, int vertex) {
     const auto& c = opposite_face[face];
     int k = 0;
     while (tet[c[k]] != vertex) ++k;
-    return {complex.points[tet[c[(k + 1) % 3]]], complex.points[tet[c[(k + 2) % 3]]]};
+    const Vec3 &a = complex.points[tet[c[(k + 1) % 3]]], &b = complex.points[tet[c[(k + 2) % 3]]];
+    return {a, b, {}};
+}
+
+/// Cosine and sine of so many equal parts of a turn.
+constexpr int ways_in_a_plane = 12;
+std::array<std::array<double, 2>, ways_in_a_plane> parts_of_a_turn() {
+    std::array<std::array<double, 2>, ways_in_a_plane> parts;
+    for (int way = 0; way < ways_in_a_plane; ++way) {
+        const double angle = way * (2 * std::numbers::pi / ways_in_a_plane);
+        parts[static_cast<std::size_t>(way)] = {std::cos(angle), std::sin(angle)};
+    }
+    return parts;
 }
 
 }  // namespace
@@ -77,7 +95,19 @@ bool LocalMesh::gather(int vertex, Star& star) const {
                 star.tets.push_back(next);
         }
     }
+    measure_rim(vertex, star);
     return true;
+}
+
+void LocalMesh::measure_rim(int vertex, Star& star) const {
+    const Vec3& p = complex_.points[vertex];
+    star.most_cosine = std::cos(good_triangle_deg * std::numbers::pi / 180);
+    for (auto& [a, b, normal] : star.rim) {
+        normal = normalized(cross(a - p, b - p));
+        // where the vertex moves along a side an angle stays as it is but for rounding
+        constexpr double rounding = 1e-9;
+        star.most_cosine = std::max(star.most_cosine, cosine_of_sharpest(p, a, b) + rounding);
+    }
 }
 
 Price LocalMesh::price_of_moving(int vertex) const {
@@ -93,15 +123,12 @@ std::vector<Vec3> LocalMesh::ways_from(int vertex, const Star& star, const Proje
         const Vec3 tangent = projector->tangent(EdgeId(of->on.index), of->parameters[0]);
         return {tangent, -1.0 * tangent};
     }
-    constexpr int ways = 12;
+    static const auto parts = parts_of_a_turn();
     const Vec3 normal = projector->normal(FaceId(of->on.index), of->parameters);
-    const Vec3 to_other = star.rim.front()[0] - complex_.points[vertex];
+    const Vec3 to_other = star.rim.front().a - complex_.points[vertex];
     const Vec3 along = normalized(to_other - dot(to_other, normal) * normal), across = cross(normal, along);
     std::vector<Vec3> directions;
-    for (int way = 0; way < ways; ++way) {
-        const double angle = way * (2 * std::numbers::pi / ways);
-        directions.push_back(std::cos(angle) * along + std::sin(angle) * across);
-    }
+    for (const auto& [cosine, sine] : parts) directions.push_back(cosine * along + sine * across);
     return directions;
 }
 
@@ -114,21 +141,21 @@ std::optional<Change::Move> LocalMesh::place_near(int vertex, const Vec3& aim, c
     const SurfaceVertex* of = surface_vertex(vertex);
     if (!of) return Change::Move{vertex, aim, {}};
     const std::optional<OnEntity> there = projector->nearest_by_steps(of->on, aim, of->parameters);
-    if (!there || (of->on.dim == 2 && !projector->is_inside_trim(FaceId(of->on.index), there->parameters))) return {};
+    if (!there) return {};
     return Change::Move{vertex, there->point, there->parameters};
 }
 
-bool LocalMesh::keeps_triangles(int vertex, const Star& star, const Vec3& to) const {
-    static const double good_cosine = std::cos(good_triangle_deg * std::numbers::pi / 180);
-    const Vec3& from = complex_.points[vertex];
-    double sharpest = -1, sharpest_before = -1;
-    for (const auto& [a, b] : star.rim) {
-        const Vec3 before = cross(a - from, b - from), after = cross(a - to, b - to);
-        if (!(dot(before, after) > least_normal_cosine * length(before) * length(after))) return false;
-        sharpest = std::max(sharpest, cosine_of_sharpest(to, a, b));
-        sharpest_before = std::max(sharpest_before, cosine_of_sharpest(from, a, b));
-    }
-    return sharpest <= std::max(sharpest_before, good_cosine);
+bool LocalMesh::stays_within(const Change::Move& move, const Projector* projector) const {
+    const SurfaceVertex* of = surface_vertex(move.vertex);
+    return !of || of->on.dim != 2 || projector->is_inside_trim(FaceId(of->on.index), move.parameters);
+}
+
+bool LocalMesh::keeps_triangles(const Star& star, const Vec3& to) {
+    return std::all_of(star.rim.begin(), star.rim.end(), [&](const RimTriangle& of) {
+        const Vec3 after = cross(of.a - to, of.b - to);
+        return dot(of.normal, after) > least_normal_cosine * length(after) &&
+               has_no_sharper_angle(to, of.a, of.b, star.most_cosine);
+    });
 }
 
 bool LocalMesh::keeps_volume(int vertex, const Star& star, const Vec3& to) const {
@@ -147,11 +174,10 @@ bool LocalMesh::is_held(int vertex, const Star& star) const {
     if (!surface_.is_for_curved_tets || !is_on_surface(vertex)) return false;
     constexpr double flat_cosine = 0.9999;
     std::vector<Vec3> normals;  // one of a plane, two at an edge
-    for (const auto& [a, b] : star.rim) {
-        const Vec3 normal = normalized(cross(a - complex_.points[vertex], b - complex_.points[vertex]));
-        if (std::none_of(normals.begin(), normals.end(), [&](const Vec3& n) { return dot(n, normal) > flat_cosine; }))
-            normals.push_back(normal);
-    }
+    for (const RimTriangle& of : star.rim)
+        if (std::none_of(normals.begin(), normals.end(),
+                         [&](const Vec3& n) { return dot(n, of.normal) > flat_cosine; }))
+            normals.push_back(of.normal);
     return normals.size() > (surface_vertex(vertex)->on.dim == 1 ? 2u : 1u);
 }
 

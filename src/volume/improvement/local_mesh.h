@@ -45,10 +45,15 @@ class LocalMesh {
     /// The vertices of the surface where they are now. They are fixed from now on.
     std::vector<SurfaceVertex> release_surface();
 
-    /// All tets of a vertex that may move, and the sides on the boundary between them, without the vertex.
+    /// A triangle of the surface at a vertex, whose other corners are `a` and `b`.
+    struct RimTriangle {
+        Vec3 a, b, normal;  ///< the unit normal, where the vertex is now
+    };
+    /// All tets of a vertex that may move, and the triangles at it.
     struct Star {
         std::vector<int> tets;
-        std::vector<std::array<Vec3, 2>> rim;
+        std::vector<RimTriangle> rim;
+        double most_cosine = 1;  ///< of the angles of these triangles: as sharp as now, or as is good enough
     };
     bool gather(int vertex, Star& star) const;
 
@@ -62,10 +67,13 @@ class LocalMesh {
     std::vector<Vec3> ways_from(int vertex, const Star& star, const Projector* projector) const;
     /// The part of a way that the vertex may go.
     Vec3 along(int vertex, const Vec3& way, const Projector* projector) const;
-    /// Nearest to `aim` on what the vertex lies on. None where a short step does not get there.
+    /// Nearest to `aim` on what the vertex lies on, whose borders are not looked at. None where a short step does not
+    /// get there.
     std::optional<Change::Move> place_near(int vertex, const Vec3& aim, const Projector* projector) const;
+    /// The vertex does not leave its face by its borders.
+    bool stays_within(const Change::Move& move, const Projector* projector) const;
     /// The triangles of the surface do not turn over, and their angles stay as good, or good enough.
-    bool keeps_triangles(int vertex, const Star& star, const Vec3& to) const;
+    static bool keeps_triangles(const Star& star, const Vec3& to);
     /// The star's volume stays within half a percent: on a curved face other triangles cut off more of it, or less.
     bool keeps_volume(int vertex, const Star& star, const Vec3& to) const;
     /// The vertex stays where it is, for the sake of tets that will follow a curved face.
@@ -87,6 +95,8 @@ class LocalMesh {
     int place_of(int vertex) const {
         return vertex < static_cast<int>(place_of_.size()) ? place_of_[static_cast<std::size_t>(vertex)] : -1;
     }
+    void measure_rim(int vertex, Star& star) const;
+
     TetComplex& complex_;
     MovableSurface surface_;
     CavityEditor editor_;

@@ -47,7 +47,7 @@ class Lookahead : public Operation {
 
     bool plan(int tet, Change& change, Footprint& footprint) override {
         const std::vector<int> around = tets_around(tet, footprint);
-        if (around.size() > most_tets || count_bad(around) > most_bad_tets) return false;
+        if (around.empty()) return false;
         change.was_dear = true;
         const Patch original = cut_out(around);
         set_objectives(original.points);
@@ -75,11 +75,7 @@ class Lookahead : public Operation {
     }
 
   private:
-    std::size_t count_bad(std::span<const int> tets) const {
-        return static_cast<std::size_t>(std::count_if(tets.begin(), tets.end(), [&](int t) {
-            return objective_.flaw(complex_, complex_.tets[t]) > objective_.target();
-        }));
-    }
+    bool is_bad(int tet) const { return objective_.flaw(complex_, complex_.tets[tet]) > objective_.target(); }
 
     /// The objective for a copy with these vertices of the mesh.
     void set_objectives(const std::vector<int>& points) {
@@ -143,11 +139,12 @@ class Lookahead : public Operation {
         const double wanted = Objective::improved(alone.worst(start), price_of_lookahead.angle);
         Vec3 aim = start;
         alone.climb(aim, in_patch_.target(), mesh.ways_from(corner, star, projector_),
-                    [&](const Vec3& trial) { return mesh.keeps_triangles(corner, star, trial); });
+                    [&](const Vec3& trial) { return mesh.keeps_triangles(star, trial); });
         for (const double share : {1.0, 0.75, 0.5, 0.25}) {
             const auto there = mesh.place_near(corner, start + share * (aim - start), projector_);
             if (!there || alone.worst(there->place) >= wanted || all.worst(there->place) >= inverted_flatness ||
-                !mesh.keeps_triangles(corner, star, there->place) || !mesh.keeps_volume(corner, star, there->place))
+                !mesh.keeps_triangles(star, there->place) || !mesh.keeps_volume(corner, star, there->place) ||
+                !mesh.stays_within(*there, projector_))
                 continue;
             change.moves.push_back(*there);
             return true;
@@ -170,9 +167,10 @@ class Lookahead : public Operation {
         return in_patch_.value(of, different);
     }
 
-    /// With the tet first; all of them are marked.
+    /// With the tet first; all of them are marked. None where they are too many, or too many of them are bad.
     std::vector<int> tets_around(int tet, Footprint& footprint) {
         std::vector<int> found{tet}, corners;
+        std::size_t bad = is_bad(tet);
         marks_.begin(complex_.tets.size());
         marks_.mark(tet);
         footprint.add(tet);
@@ -183,13 +181,15 @@ class Lookahead : public Operation {
                 return std::any_of(t.begin(), t.end(),
                                    [&](int v) { return std::binary_search(corners.begin(), corners.end(), v); });
             };
-            for (std::size_t i = 0; i < found.size() && found.size() <= most_tets; ++i)
+            for (std::size_t i = 0; i < found.size(); ++i)
                 for (const int next : complex_.neighbours[found[i]]) {
                     if (next < 0 || marks_.is_marked(next)) continue;
                     footprint.add(next);
                     if (!is_near(complex_.tets[next])) continue;
                     marks_.mark(next);
                     found.push_back(next);
+                    bad += is_bad(next);
+                    if (found.size() > most_tets || bad > most_bad_tets) return {};
                 }
         }
         return found;

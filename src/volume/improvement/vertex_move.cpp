@@ -46,9 +46,8 @@ class VertexMove : public CornerOperation {
     bool climb(Change& change) {
         Vec3 aim = start_;
         const double wanted = Objective::improved(change.before.worst, change.price.angle);
-        const double best =
-            shape_.climb(aim, objective_.target(), mesh_.ways_from(vertex_, star_, projector_),
-                         [&](const Vec3& trial) { return mesh_.keeps_triangles(vertex_, star_, trial); });
+        const double best = shape_.climb(aim, objective_.target(), mesh_.ways_from(vertex_, star_, projector_),
+                                         [&](const Vec3& trial) { return mesh_.keeps_triangles(star_, trial); });
         if (best >= wanted) return false;
         for (const double share : {1.0, 0.5, 0.25})
             if (take(start_ + share * (aim - start_), change)) return true;
@@ -83,10 +82,10 @@ class VertexMove : public CornerOperation {
 
     bool take(const Vec3& aim, Change& change) {
         const std::optional<Change::Move> there = mesh_.place_near(vertex_, aim, projector_);
-        if (!there || !mesh_.keeps_triangles(vertex_, star_, there->place)) return false;
+        if (!there || !mesh_.keeps_triangles(star_, there->place)) return false;
         change.after = shape_.value(there->place);
         if (!objective_.is_better(change.before, change.after, change.price) ||
-            !mesh_.keeps_volume(vertex_, star_, there->place))
+            !mesh_.keeps_volume(vertex_, star_, there->place) || !mesh_.stays_within(*there, projector_))
             return false;
         change.moves.push_back(*there);
         change.bent = star_.tets;
