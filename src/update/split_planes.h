@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the report says of parts whose planes are many faces.
+#pragma once
+
+#include <optional>
+
+#include "core/message.h"
+#include "mesh/mesh.h"
+#include "mesh/quality.h"
+
+namespace featuremesh {
+
+/// Where a mesh (STL) was made a solid, each triangle is a face, and the elements have to meet its edges, though most
+/// of them lie within a plane. Nothing where few edges do, or no element is thin.
+std::optional<Message> warning_of_split_planes(const Mesh& mesh, const QualityReport& quality);
+
+}  // namespace featuremesh
