@@ -30,7 +30,6 @@
 #include "update/ignored_details.h"
 #include "update/keep.h"
 #include "update/our_errors.h"
-#include "update/split_planes.h"
 #include "update/thin_tets.h"
 #include "volume/curved/mid_side_nodes.h"
 
@@ -100,7 +99,6 @@ void record_mesh(const Mesh& mesh, const PartState& part, const SizingField& siz
     report.quality = measure_quality(mesh, context);
     report.lengths = measure_size_conformity(mesh, sizing);
     for (const Message& line : warnings_of_thin_tets(mesh, report.quality)) report.warnings.push_back(line);
-    if (auto line = warning_of_split_planes(mesh, report.quality)) report.warnings.push_back(std::move(*line));
 }
 
 void record_fill(const Filled& filled, Report& report) {

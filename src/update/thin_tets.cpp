@@ -6,12 +6,14 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "brep/brep.h"
 #include "core/ids.h"
 #include "core/messages.h"
 #include "core/numbers_in_words.h"
 #include "mesh/short_sides.h"
+#include "update/split_planes.h"
 
 namespace featuremesh {
 
@@ -132,8 +134,9 @@ std::vector<Entity> touching_faces(const Mesh& mesh, TetId tet) {
 }  // namespace
 
 std::vector<Message> warnings_of_thin_tets(const Mesh& mesh, const QualityReport& quality) {
-    if (!quality.worst.is_valid() || quality.min_dihedral >= thin_deg) return {};
     std::vector<Message> lines;
+    if (auto line = warning_of_split_planes(mesh, quality)) lines.push_back(std::move(*line));
+    if (!quality.worst.is_valid() || quality.min_dihedral >= thin_deg) return lines;
     const ForcingDetails details(mesh);
     if (details.tet_count() > 0)
         lines.push_back(say<Code::details_force_angles>(details.tet_count(), details.listed()));

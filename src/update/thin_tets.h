@@ -10,8 +10,8 @@
 
 namespace featuremesh {
 
-/// Names the details of the part that force angles below 2 degrees, shortest first, and, if nothing forces the smallest
-/// angle, where that is, or the two faces that touch each other there. Empty where all angles are larger.
+/// That planes are many faces (`split_planes.h`); the details of the part that force angles below 2 degrees, shortest
+/// first; and, if nothing forces the smallest angle, where that is, or the two faces that touch each other there.
 std::vector<Message> warnings_of_thin_tets(const Mesh& mesh, const QualityReport& quality);
 
 }  // namespace featuremesh

@@ -37,17 +37,7 @@ class ClosePointCollapse : public CornerOperation {
         change.price = price_of_fewer_tets;
         change.after.worst = inverted_flatness;
         for (const int onto : neighbours_) {
-            tets_.clear();
-            for (const int t : star) {
-                Tet tet = complex_.tets[t];
-                if (std::find(tet.begin(), tet.end(), onto) != tet.end()) continue;
-                std::replace(tet.begin(), tet.end(), v, onto);
-                tets_.push_back(tet);
-            }
-            const auto is_no_better = [&](const Tet& tet) {
-                return objective_.flaw(complex_, tet) >= change.after.worst;
-            };
-            if (std::any_of(tets_.begin(), tets_.end(), is_no_better)) continue;
+            if (!collapse(v, onto, change.after.worst)) continue;
             const Value after = objective_.value(complex_, tets_);
             if (!objective_.is_better(change.before, after, change.price)) continue;
             change.after = after;
@@ -55,6 +45,19 @@ class ClosePointCollapse : public CornerOperation {
             change.removed = star;
         }
         return !change.removed.empty();
+    }
+
+    /// Puts what becomes of the star's tets in `tets_`, unless one of them is no better than that.
+    bool collapse(int v, int onto, double worst) {
+        tets_.clear();
+        for (const int t : star_.tets) {
+            Tet tet = complex_.tets[t];
+            if (std::find(tet.begin(), tet.end(), onto) != tet.end()) continue;
+            std::replace(tet.begin(), tet.end(), v, onto);
+            if (objective_.flaw(complex_, tet) >= worst) return false;
+            tets_.push_back(tet);
+        }
+        return true;
     }
 
     bool is_too_close(int v) const {

@@ -1413,8 +1413,8 @@
       <translation>{done:count} von {all:count} {all:Fall|Fällen} fertig</translation>
     </message>
     <message>
-      <source>{edges:count} edges of the part lie within a plane, as in a solid that was made of a mesh (STL). Each is an edge of elements, too, which makes many of them small and thin. Part &gt; Create a copy &gt; Refine shape makes a copy without such edges: mesh that.</source>
-      <translation>{edges:count} Kanten des Bauteils liegen innerhalb einer Ebene, wie in einem Festkörper, der aus einem Netz (STL) gemacht wurde. Jede ist auch eine Kante von Elementen, wodurch viele davon klein und dünn werden. Part &gt; Kopie erstellen &gt; Form aufbereiten macht eine Kopie ohne solche Kanten: diese vernetzen.</translation>
+      <source>Many edges of the part ({edges:count}) lie within a plane, as in a solid that was made of a mesh (STL). Each is an edge of elements, too, which makes many of them small and thin. Part &gt; Create a copy &gt; Refine shape makes a copy without such edges: mesh that.</source>
+      <translation>Viele Kanten des Bauteils ({edges:count}) liegen innerhalb einer Ebene, wie in einem Festkörper, der aus einem Netz (STL) gemacht wurde. Jede ist auch eine Kante von Elementen, wodurch viele davon klein und dünn werden. Part &gt; Kopie erstellen &gt; Form aufbereiten macht eine Kopie ohne solche Kanten: diese vernetzen.</translation>
     </message>
     <message>
       <source>{elements:count} 10-node {elements:tetrahedron|tetrahedra} would be folded near {place:entities}: the face bends too much within one element. Ask for a smaller size there, or for 4-node tetrahedra.</source>
