@@ -68,6 +68,8 @@ def beside_gmsh(case, folder):
     print(f"  {'':20s} {'nodes':>9s} {'total':>8s}  " + " ".join(f"{name:>9s}" for name in names))
     for who, row in (("ours", ours), ("Gmsh and CalculiX", theirs)):
         print(f"  {who:20s} {row['nodes']:9,.0f} {row['total']:8.2f}  " + " ".join(f"{row['steps'].get(name, 0.0):9.3f}" for name in names))
+    if theirs["failed"]:
+        print(f"  Gmsh and CalculiX failed in {len(theirs['failed'])} of {case.cases[1]} cases")
     meshing = ours["steps"]["mesh"], ours["steps"]["mesh"] + ours["steps"]["hand_over"]
     ratios = {"end_to_end": ours["total"] / theirs["total"], "meshing": meshing[0] / theirs["steps"]["mesh"],
               "meshing_with_hand_over": meshing[1] / theirs["steps"]["mesh"]}
@@ -127,7 +129,10 @@ def run_peer(case, path, cases):
     result = run_script(Path(__file__).parent / "study_peer.py", {"FEATUREMESH_CASE": json.dumps(task)})
     if result["exit_code"]:
         raise RuntimeError(result["message"])
-    return means(result["data"], 0.0)
+    done, failed = result["data"]["done"], result["data"]["failed"]
+    if not done:
+        raise RuntimeError(f"the peer failed in all cases; see {path}")
+    return {**means(done, 0.0), "failed": failed}
 
 
 def means(cases, of_runner):
