@@ -10,8 +10,8 @@
 
 namespace featuremesh {
 
-/// Where a mesh (STL) was made a solid, each triangle is a face, and the elements have to meet its edges, though most
-/// of them lie within a plane. Nothing where few edges do, or no element is thin.
+/// Where a mesh (STL) was made a solid each triangle is a face, and elements have to meet its edges, though most of
+/// them lie within a plane. Nothing where few edges do, or most thin elements lie elsewhere.
 std::optional<Message> warning_of_split_planes(const Mesh& mesh, const QualityReport& quality);
 
 }  // namespace featuremesh
