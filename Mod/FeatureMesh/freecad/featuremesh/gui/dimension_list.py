@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A tree of a part's dimensions, each with a tick and a range."""
 
+import math
+
 import FreeCAD
 from PySide import QtCore, QtGui
 
@@ -11,7 +13,7 @@ from ..user_words import are_lengths_in_mm
 
 translate = FreeCAD.Qt.translate
 _NAME, _RANGE = range(2)
-_RANGE_IN_WORDS = "%.6g : %.6g"
+_VALUE = QtCore.Qt.UserRole + 1   # of a row: its value in words, which its text ends with
 
 
 class DimensionList(QtGui.QTreeWidget):
@@ -33,11 +35,10 @@ class DimensionList(QtGui.QTreeWidget):
             self._add(dimension, known.get(dimension.target))
         self.setRootIsDecorated(False)   # the panel may be narrow
         self.setIndentation(8)
-        self.setTextElideMode(QtCore.Qt.ElideMiddle)   # the end of a row is its value
+        self.setItemDelegateForColumn(_NAME, _Names(self))
         self.header().setStretchLastSection(False)
         self.header().setSectionResizeMode(_NAME, QtGui.QHeaderView.Stretch)
         self.header().setSectionResizeMode(_RANGE, QtGui.QHeaderView.ResizeToContents)
-        self.setTextElideMode(QtCore.Qt.ElideMiddle)   # the value stays; a tool tip has the whole name
         self._give_room()
         self.itemChanged.connect(self._took)
         self.itemDoubleClicked.connect(lambda item, column: self.editItem(item, column) if column == _RANGE else None)
@@ -78,8 +79,11 @@ class DimensionList(QtGui.QTreeWidget):
             self.addTopLevelItem(group)
             group.setFirstColumnSpanned(True)
             group.setExpanded(True)
-        item = QtGui.QTreeWidgetItem(["%s  %.6g%s" % (dimension.name, dimension.value, _unit_to_tell(dimension.unit))])
-        item.setToolTip(_NAME, ("%s  %.6g %s" % (dimension.name, dimension.value, dimension.unit)).strip())
+        number = "%.6g" % dimension.value
+        value = "  " + number + _unit_to_tell(dimension.unit)
+        item = QtGui.QTreeWidgetItem([dimension.name + value])
+        item.setData(_NAME, _VALUE, value)
+        item.setToolTip(_NAME, ("%s  %s %s" % (dimension.name, number, dimension.unit)).strip())
         item.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable | QtCore.Qt.ItemIsUserCheckable | QtCore.Qt.ItemIsEditable)
         item.setData(_NAME, QtCore.Qt.UserRole, [float(value) for value in dimension.usual_range()])
         ticked = parameter is not None and bool(parameter.bounds)
@@ -93,14 +97,17 @@ class DimensionList(QtGui.QTreeWidget):
     def _range_of(item):
         """What was shown counts as long as nothing else is typed: the text is rounded. Throws ValueError."""
         shown = item.data(_RANGE, QtCore.Qt.UserRole)
-        if shown and item.text(_RANGE) == _RANGE_IN_WORDS % tuple(shown):
+        if shown and item.text(_RANGE) == _range_in_words(shown):
             return shown
-        return map(float, item.text(_RANGE).replace(",", ".").split(":"))
+        low, high = map(float, item.text(_RANGE).replace(",", ".").split(":"))
+        if not math.isfinite(high - low):
+            raise ValueError(item.text(_RANGE))
+        return low, high
 
     @staticmethod
     def _show_range(item, bounds):
         item.setData(_RANGE, QtCore.Qt.UserRole, [float(bound) for bound in bounds])
-        item.setText(_RANGE, _RANGE_IN_WORDS % tuple(bounds))
+        item.setText(_RANGE, _range_in_words(bounds))
         item.setToolTip(_RANGE, item.text(_RANGE))
 
     def _took(self, item, column):
@@ -117,6 +124,28 @@ class DimensionList(QtGui.QTreeWidget):
             item.setToolTip(_RANGE, item.text(_RANGE))
             self.blockSignals(False)
         self._changed()
+
+
+class _Names(QtGui.QStyledItemDelegate):
+    """Where there is no room for all of a row the name is shortened, never the value: "Hole4X  110 mm" would look like a 10 otherwise."""
+
+    def initStyleOption(self, option, index):
+        super().initStyleOption(option, index)
+        value = index.data(_VALUE)
+        if value:
+            style = option.widget.style()
+            frame = style.pixelMetric(QtGui.QStyle.PM_FocusFrameHMargin, option, option.widget) + 1
+            room = style.subElementRect(QtGui.QStyle.SE_ItemViewItemText, option, option.widget).width() - 2 * frame
+            name = option.text[:-len(value)]
+            option.text = option.fontMetrics.elidedText(name, QtCore.Qt.ElideMiddle, room - _width(option.fontMetrics, value)) + value
+
+
+def _width(metrics, text):
+    return metrics.size(QtCore.Qt.TextSingleLine, text).width()
+
+
+def _range_in_words(bounds):
+    return "%.6g : %.6g" % tuple(bounds)
 
 
 def _unit_to_tell(unit):

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the panels show of long and odd labels, in narrow columns, in inches and with decimal commas. Run by test_window.py with the bracket."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FreeCAD  # noqa: E402
+import FreeCADGui as Gui  # noqa: E402
+import window  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
+from window import click_in_panel, figures, panel, picture, spin, wait_for  # noqa: E402
+
+
+def open_panel(command, kind):
+    Gui.runCommand("FeatureMesh_" + command)
+    spin()
+    return panel(kind)
+
+
+def close(button="Close"):
+    click_in_panel(button)
+    wait_for(lambda: not Gui.Control.activeDialog(), 20)
+
+
+def drawn_in_list(shown, target):
+    """(the text that the row of a dimension is drawn with, the room for it in pixels, its width)."""
+    rows = shown.dimensions
+    item = rows.item_of(target)
+    rows.scrollToItem(item)
+    spin()
+    index = rows.indexFromItem(item, 0)
+    option = QtGui.QStyleOptionViewItem()
+    option.rect, option.widget, option.font = rows.visualRect(index), rows, rows.font()
+    option.fontMetrics = rows.fontMetrics()
+    rows.itemDelegateForColumn(0).initStyleOption(option, index)
+    room = rows.style().subElementRect(QtGui.QStyle.SE_ItemViewItemText, option, rows).width()
+    return option.text, room, option.fontMetrics.boundingRect(option.text).width()
+
+
+def check_dimensions():
+    """Beside the ranges there is little room: names are shortened, values never. Ranges are numbers."""
+    shown = open_panel("Study", "StudyPanel")
+    rows = shown.dimensions
+    assert drawn_in_list(shown, "HoleSketch.Hole4X")[0] == "Hole4X  110 mm"
+    rows.item_of("Fillet.Radius").setCheckState(0, QtCore.Qt.Checked)
+    rows.setFixedWidth(210)   # as in FreeCAD 0.20's dock; 1.1 has more room
+    spin()
+    texts = {}
+    for target, value in (("HoleSketch.Hole4X", "  110 mm"), ("HoleSketch.Hole4Radius", "  4 mm"), ("PlateSketch.PlateLength", "  120 mm"), ("Fillet.Radius", "  3 mm")):
+        text, room, width = drawn_in_list(shown, target)
+        assert text.endswith(value) and width <= room, (target, text, room, width)
+        texts[target] = text
+    assert "…" in texts["HoleSketch.Hole4Radius"], texts
+    picture("dimensions_in_inches")
+    for text in ("5 : inf", "nan : 3", "1e999 : 3"):
+        rows.item_of("Fillet.Radius").setText(1, text)
+        shown.refresh()
+        assert shown.status.text().startswith("the range of Fillet.Radius has to be two numbers"), (text, shown.status.text())
+    rows.item_of("Fillet.Radius").setCheckState(0, QtCore.Qt.Unchecked)
+    close()
+
+
+def count_in(document, schema):
+    """FreeCAD's number of a unit scheme; since 1.0 each document has its own, too."""
+    if hasattr(document, "UnitSystem"):
+        document.UnitSystem = document.getEnumerationsOfProperty("UnitSystem")[schema]
+    FreeCAD.Units.setSchema(schema)
+
+
+def drive():
+    from freecad.featuremesh import api
+    window.choose_workbench()
+    document = FreeCAD.ActiveDocument
+    document.UndoMode = 1
+    body = document.Body
+    mesh = api.add_mesh(body, 8.0, order=1)
+    document.recompute()
+    count_in(document, 3)   # inches with decimals
+    check_dimensions()
+    count_in(document, 0)
+    figures.append("words: labels, units and decimal signs are as they should be")
+
+
+window.run(drive)
