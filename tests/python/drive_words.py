@@ -8,7 +8,7 @@ import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
-from window import click_in_panel, figures, panel, picture, spin, wait_for  # noqa: E402
+from window import click_in_panel, figures, panel, picture, send_key, spin, wait_for  # noqa: E402
 
 
 def open_panel(command, kind):
@@ -60,6 +60,30 @@ def check_dimensions():
     close()
 
 
+def type_place(cut, text):
+    """In place of what the field has, key by key, and Tab."""
+    QtGui.QApplication.setActiveWindow(Gui.getMainWindow())   # there is no window manager
+    cut.place.setFocus()
+    spin()
+    send_key(cut.place, QtCore.Qt.Key_A, QtCore.Qt.ControlModifier)
+    for letter in text:
+        send_key(cut.place, 0, QtCore.Qt.NoModifier, letter)
+    typed = cut.place.property("text")
+    send_key(cut.place, QtCore.Qt.Key_Tab)
+    spin()
+    return typed
+
+
+def check_cut():
+    """A place is typed with its unit; one beyond the mesh is the end of it."""
+    shown = open_panel("ShowQuality", "QualityPanel")
+    shown.cut.setChecked(True)
+    for text, place in (("30 mm", 30.0), ("12 mm", 12.0), ("500 mm", 45.0)):
+        assert type_place(shown.cut, text) == text, (text, shown.cut.place.property("text"))
+        assert abs(shown.cut.at() - place) < 1e-9, (text, shown.cut.at())
+    close()
+
+
 def count_in(document, schema):
     """FreeCAD's number of a unit scheme; since 1.0 each document has its own, too."""
     if hasattr(document, "UnitSystem"):
@@ -75,6 +99,7 @@ def drive():
     body = document.Body
     mesh = api.add_mesh(body, 8.0, order=1)
     document.recompute()
+    check_cut()
     count_in(document, 3)   # inches with decimals
     check_dimensions()
     count_in(document, 0)

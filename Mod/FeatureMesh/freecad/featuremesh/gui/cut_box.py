@@ -70,7 +70,8 @@ class CutBox(QtGui.QGroupBox):
         low, high = self._range()
         for widget in (self.slider, self.place):
             widget.blockSignals(True)
-        for name, value in (("minimum", low), ("maximum", high), ("singleStep", (high - low) / 50), ("rawValue", min(max(place, low), high))):
+        # No limits of the field: FreeCAD refuses a key at once that goes beyond them for a moment, such as the m of "30 mm", which would be metres.
+        for name, value in (("singleStep", (high - low) / 50), ("rawValue", min(max(place, low), high))):
             self.place.setProperty(name, value)
         self.slider.setValue(round(_STEPS * (place - low) / ((high - low) or 1.0)))
         for widget in (self.slider, self.place):
