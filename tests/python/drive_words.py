@@ -8,7 +8,9 @@ import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
-from window import click_in_panel, figures, panel, picture, send_key, spin, wait_for  # noqa: E402
+from window import click_in_panel, figures, is_whole, panel, picture, send_key, spin, wait_for  # noqa: E402
+
+ODD = 'Welle <b>Ø8</b> & "Nabe" für das lange Lager'
 
 
 def open_panel(command, kind):
@@ -20,6 +22,45 @@ def open_panel(command, kind):
 def close(button="Close"):
     click_in_panel(button)
     wait_for(lambda: not Gui.Control.activeDialog(), 20)
+
+
+def check_labels(body, mesh):
+    """Labels are shown as they are, and make no panel wider than the dock."""
+    before = body.Label, mesh.Label
+    body.Label = mesh.Label = ODD
+    mesh.ViewObject.doubleClicked()
+    spin()
+    settings = panel("MeshPanel")
+    part = next(label for label in settings.form.findChildren(QtGui.QLabel) if label.toolTip() == body.Label)
+    assert part.textFormat() == QtCore.Qt.PlainText
+    picture("odd_label")
+    close("Cancel")
+    shown = open_panel("ShowQuality", "QualityPanel")
+    picture("odd_label_quality")
+    assert is_whole(shown.form), shown.form.width()
+    close()
+    body.Label, mesh.Label = before
+
+
+def check_question(body, mesh):
+    """That of a part that has a mesh already."""
+    seen = []
+
+    def look():
+        box = QtGui.QApplication.activeModalWidget()
+        if isinstance(box, QtGui.QMessageBox) and box.isVisible():
+            timer.stop()
+            seen.append((box.textFormat(), box.text()))
+            box.reject()
+    timer = QtCore.QTimer()
+    timer.timeout.connect(look)
+    timer.start(50)
+    body.Label = ODD
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(body)
+    Gui.runCommand("FeatureMesh_MeshPart")
+    assert seen == [(QtCore.Qt.PlainText, "%s has the mesh %s already." % (ODD, mesh.Label))], seen
+    Gui.Selection.clearSelection()
 
 
 def drawn_in_list(shown, target):
@@ -99,6 +140,8 @@ def drive():
     body = document.Body
     mesh = api.add_mesh(body, 8.0, order=1)
     document.recompute()
+    check_labels(body, mesh)
+    check_question(body, mesh)
     check_cut()
     count_in(document, 3)   # inches with decimals
     check_dimensions()

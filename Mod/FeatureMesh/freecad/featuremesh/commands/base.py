@@ -5,7 +5,7 @@ import contextlib
 
 import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from .. import api, assembled, reading, resolving, versions
 from ..errors import UserError
@@ -61,6 +61,7 @@ def answer(title, text, more, choices, is_risky=False):
     """The key of the choice that was clicked in a message box, the first by default unless that is risky; None for Cancel, or then by default."""
     box = QtGui.QMessageBox(Gui.getMainWindow())
     box.setWindowTitle(title)
+    box.setTextFormat(QtCore.Qt.PlainText)   # a label may look like HTML
     box.setText(text)
     box.setInformativeText(more)
     roles = [QtGui.QMessageBox.AcceptRole, QtGui.QMessageBox.ActionRole]

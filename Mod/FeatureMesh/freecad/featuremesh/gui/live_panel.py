@@ -32,7 +32,7 @@ class LivePanel(ClosesWithObject):
         self.live = live
         self.view = live.ViewObject.Proxy
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(live.Label)
+        narrow.title(self.form, live.Label)
         self.form.setWindowIcon(view_provider.drawn_icon("FeatureMesh_LiveResult"))
         self.status, self.largest, self.remarks = QtGui.QLabel(), QtGui.QLabel(), QtGui.QLabel()
         for label in (self.status, self.largest, self.remarks):

@@ -6,6 +6,7 @@ from PySide import QtCore, QtGui
 
 _LETTERS = 8       # a box is never narrower
 _MARGIN = 4
+_TITLE = 180       # pixels of a panel's title beside its picture and its arrow
 _AROUND_TEXT = 12  # pixels that a button, or the list of a box, needs beside its text
 
 
@@ -30,12 +31,20 @@ class OneLine(QtGui.QLabel):
     def __init__(self, words):
         super().__init__(words)
         self._words = words
+        self.setTextFormat(QtCore.Qt.PlainText)   # a label may look like HTML
         self.setToolTip(words)
         self.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
         self.setText(self.fontMetrics().elidedText(self._words, QtCore.Qt.ElideMiddle, self.width()))
+
+
+def title(form, words):
+    """The title of a panel, which FreeCAD makes as wide as that."""
+    font = form.font()
+    font.setBold(True)
+    form.setWindowTitle(QtGui.QFontMetrics(font).elidedText(words, QtCore.Qt.ElideMiddle, _TITLE))
 
 
 def margins(layout):

@@ -23,7 +23,7 @@ class OverlayPanel(ClosesWithObject):
         self.mesh = mesh
         self.overlay = None
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(title)
+        narrow.title(self.form, title)
         self.form.setWindowIcon(view_provider.drawn_icon(icon))
         self.layout = QtGui.QVBoxLayout(self.form)
         narrow.margins(self.layout)

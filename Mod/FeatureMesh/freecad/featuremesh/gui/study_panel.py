@@ -53,7 +53,7 @@ class StudyPanel(ClosesWithObject):
         self.study = study
         self._new_settings = study_object.settings_of(study) if is_new else None
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(study.Label)
+        narrow.title(self.form, study.Label)
         self.form.setWindowIcon(view_provider.drawn_icon("FeatureMesh_Study"))
         self._kind = study_object.kind_of(study.Analysis)
         self._wrong = ""   # what of the settings makes no sense

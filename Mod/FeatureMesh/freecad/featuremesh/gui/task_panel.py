@@ -49,7 +49,7 @@ class MeshPanel:
         self._raw = None   # the part as it was read for the last estimate, until it is edited
         self._told_of = None   # the settings that the object's status is about
         self.form = narrow.Form()
-        self.form.setWindowTitle(mesh.Label)
+        narrow.title(self.form, mesh.Label)
         self.form.setWindowIcon(view_provider.drawn_icon("FeatureMesh"))
         self.form.destroyed.connect(lambda: self._leave())   # FreeCAD closes the panel with its document
         self._build()

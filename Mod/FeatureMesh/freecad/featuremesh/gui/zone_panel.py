@@ -7,7 +7,7 @@ from PySide import QtGui
 
 from .. import api, size_zone, versions
 from ..view_provider import drawn_icon
-from . import errors, showing, wheel
+from . import errors, narrow, showing, wheel
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -28,7 +28,7 @@ class ZonePanel:
         part = versions.part_of(self.mesh) if self.mesh is not None else None
         self._shown_before = showing.show_part(part) if part is not None else []
         self.form = QtGui.QWidget()
-        self.form.setWindowTitle(zone.Label)
+        narrow.title(self.form, zone.Label)
         self.form.setWindowIcon(drawn_icon("FeatureMesh_AddSizeZone"))
         self._build()
         wheel.scrolls(self.form)
