@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the panels show of long and odd labels, in narrow columns, in inches and with decimal commas. Run by test_window.py with the bracket."""
+import json
 import os
 import sys
 
@@ -61,6 +62,19 @@ def check_question(body, mesh):
     Gui.runCommand("FeatureMesh_MeshPart")
     assert seen == [(QtCore.Qt.PlainText, "%s has the mesh %s already." % (ODD, mesh.Label))], seen
     Gui.Selection.clearSelection()
+
+
+def check_remarks(mesh):
+    """The panel has room for three remarks; where the others are is true."""
+    report = mesh.Report
+    mesh.Report = json.dumps({**json.loads(report), "warnings": ["remark %d <x>" % number for number in range(1, 6)]})
+    mesh.ViewObject.doubleClicked()
+    spin()
+    result = panel("MeshPanel").result
+    assert "remark 3" in result.text() and "remark 4" not in result.text() and "and 2 more: let the mouse rest here" in result.text(), result.text()
+    assert result.toolTip() == "remark 4 &lt;x><br>remark 5 &lt;x>", result.toolTip()
+    close("Cancel")
+    mesh.Report = report
 
 
 def drawn_in_list(shown, target):
@@ -142,6 +156,7 @@ def drive():
     document.recompute()
     check_labels(body, mesh)
     check_question(body, mesh)
+    check_remarks(mesh)
     check_cut()
     count_in(document, 3)   # inches with decimals
     check_dimensions()

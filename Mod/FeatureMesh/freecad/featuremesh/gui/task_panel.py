@@ -437,7 +437,7 @@ class MeshPanel:
         select_named(error, versions.part_of(self.mesh))
 
     def _show_result(self):
-        mesh, lines = self.mesh, []
+        mesh, lines, remarks = self.mesh, [], []
         self._told_of = settings_of(mesh)
         self._show_status()
         if mesh.TetCount:
@@ -447,8 +447,10 @@ class MeshPanel:
             if mesh.KeptNodes:
                 lines.append(translate("FeatureMesh", "kept by the last update: %d %% of the nodes, %d %% of the elements")
                              % (mesh.KeptNodes, mesh.KeptTets))
-            lines += _remarks(json.loads(mesh.Report or "{}"))
+            remarks = [in_words(remark) for remark in remarks_of(json.loads(mesh.Report or "{}"))]
+            lines += _first(remarks)
         self.result.setText("<br>".join(line.replace("<", "&lt;") for line in lines))
+        self.result.setToolTip(_rest(remarks))
 
     def _show_status(self):
         status, settings = self.mesh.Status, {**settings_of(self.mesh), **self.settings()}
@@ -496,11 +498,15 @@ def _row_of_details(length):
     return _OFF if length < 0 else _A_LENGTH if length else _AUTOMATIC
 
 
-def _remarks(report):
+def _first(remarks):
     """The first of what the user should know, in the user's language."""
-    remarks = remarks_of(report)
-    lines = [translate("FeatureMesh", "note: ") + in_words(remark) for remark in remarks[:_REMARKS]]
-    return lines + ([translate("FeatureMesh", "and %d more, see the property Report") % (len(remarks) - _REMARKS)] if len(remarks) > _REMARKS else [])
+    lines = [translate("FeatureMesh", "note: ") + remark for remark in remarks[:_REMARKS]]
+    return lines + ([translate("FeatureMesh", "and %d more: let the mouse rest here") % (len(remarks) - _REMARKS)] if len(remarks) > _REMARKS else [])
+
+
+def _rest(remarks):
+    """A tool tip with those for which the panel has no room."""
+    return "<br>".join(remark.replace("<", "&lt;") for remark in remarks[_REMARKS:])
 
 
 class _Estimate(threading.Thread):

@@ -703,6 +703,10 @@
       <translation>eine Analyse</translation>
     </message>
     <message>
+      <source>and %d more: let the mouse rest here</source>
+      <translation>und %d weitere: den Mauszeiger hier ruhen lassen</translation>
+    </message>
+    <message>
       <source>around one face or edge at most {most:count} million are made</source>
       <translation>um eine Fläche oder Kante werden höchstens {most:count} Millionen gemacht</translation>
     </message>
@@ -2819,10 +2823,6 @@
     <message>
       <source>all nodes to fill between lie in one plane, at {place:entities}; mesh the part finer</source>
       <translation>alle Knoten, zwischen denen zu füllen ist, liegen in einer Ebene, bei {place:entities}; das Bauteil feiner vernetzen</translation>
-    </message>
-    <message>
-      <source>and %d more, see the property Report</source>
-      <translation>und %d weitere, siehe die Eigenschaft Report</translation>
     </message>
     <message>
       <source>and others</source>
