@@ -139,6 +139,17 @@ def check_cut():
     close()
 
 
+def check_live():
+    """Stresses of thousands of psi are written as people write them."""
+    shown = open_panel("LiveResult", "LivePanel")
+    wait_for(lambda: shown.largest.text(), 60)
+    picture("live_in_inches")
+    for text in (shown.largest.text(), *shown.legend.labels):
+        assert "e+" not in text, (shown.largest.text(), shown.legend.labels)
+    assert shown.legend.labels[-1].endswith("00 psi"), shown.legend.labels
+    close()
+
+
 def count_in(document, schema):
     """FreeCAD's number of a unit scheme; since 1.0 each document has its own, too."""
     if hasattr(document, "UnitSystem"):
@@ -147,7 +158,7 @@ def count_in(document, schema):
 
 
 def drive():
-    from freecad.featuremesh import api
+    from freecad.featuremesh import api, engine
     window.choose_workbench()
     document = FreeCAD.ActiveDocument
     document.UndoMode = 1
@@ -160,6 +171,8 @@ def drive():
     check_cut()
     count_in(document, 3)   # inches with decimals
     check_dimensions()
+    if not engine.load().statics_missing():
+        check_live()
     count_in(document, 0)
     figures.append("words: labels, units and decimal signs are as they should be")
 

@@ -14,6 +14,7 @@ _IN_MM = (0, 6, 8)
 _NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 # "2.5 mm", "40 x 10 x 10 mm", "80 -> 90 mm^3" and "(1, 2, 3) mm"; not the 2 of "Edge2 mm" nor of "1.2.3".
 _QUANTITY = re.compile(r"(?<![\w.])(?P<numbers>(?:{0}(?: x | -> | → ))*{0}|\({0}(?:, {0})*\)) (?P<unit>mm(?:\^[23])?)(?![\w^])".format(_NUMBER))
+_MOST_WITHOUT_POWER = 1e7
 _DECIMAL = re.compile(r"(\d)\.(\d)")
 _ALSO_SAID = (QT_TRANSLATE_NOOP("FeatureMesh", "%s and %d more"), QT_TRANSLATE_NOOP("FeatureMesh", "the inside"))   # by messages.py
 
@@ -36,6 +37,12 @@ def are_lengths_in_mm():
 def as_shown(numbers):
     """A text of numbers, such as "0.25", with the decimal sign that FreeCAD shows."""
     return _DECIMAL.sub(r"\1,\2", numbers) if "," in FreeCAD.Units.Quantity("0.5 mm").UserString else numbers
+
+
+def figure(value, digits):
+    """A number with so many digits that count, and without a power of ten where people write none: 16500 for 1.65e+04."""
+    text = "%.*g" % (digits, value)
+    return as_shown("%.0f" % float(text) if "e+" in text and abs(value) < _MOST_WITHOUT_POWER else text)
 
 
 def unit_of(unit):

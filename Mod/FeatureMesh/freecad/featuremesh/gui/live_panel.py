@@ -12,7 +12,7 @@ from .. import api, live_overlay, live_result, live_view, messages, user_words, 
 from ..errors import UserError
 from ..mesh_properties import status_in_words
 from ..messages import said
-from ..user_words import as_shown, in_words
+from ..user_words import figure, in_words
 from . import live_runner, narrow, wheel
 from .closes_with_object import ClosesWithObject
 from .cut_box import CutBox
@@ -164,7 +164,7 @@ class LivePanel(ClosesWithObject):
         times = live_overlay.scale_of(self.live.Proxy.solution, self.view.settings)
         one, unit = self._unit()
         return in_words(said("largest: {value:text} on {place:text}, node {node:count} at {point:point}; displacements drawn {times:number} times",
-                             value="%s %s" % (as_shown("%.4g" % (drawn.values[row] / one)), unit), place=where["on"], node=where["node"], point=where["mm"], times=times))
+                             value="%s %s" % (figure(drawn.values[row] / one, 4), unit), place=where["on"], node=where["node"], point=where["mm"], times=times))
 
     def _show_run(self):
         run = live_runner.run_of(self.live)
@@ -224,7 +224,7 @@ class Legend(QtGui.QWidget):
         self.labels, self._table = [], np.zeros((0, 3))
         if drawn is not None and np.isfinite(drawn.values).any():
             self._table = drawn.table
-            self.labels = [as_shown("%.3g" % (value / one)) for value in np.linspace(*drawn.limits, _MARKS)]
+            self.labels = [figure(value / one, 3) for value in np.linspace(*drawn.limits, _MARKS)]
             self.labels[-1] += " " + unit
             if not is_fresh:
                 self.labels = [translate("FeatureMesh", "out of date")]

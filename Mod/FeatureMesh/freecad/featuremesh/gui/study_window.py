@@ -11,7 +11,7 @@ from .. import api, view_provider
 from ..errors import UserError
 from ..study import answers, report, response_words, study_object, table
 from ..study.folder import StudyFolder
-from ..user_words import in_words
+from ..user_words import figure, in_words
 from . import errors
 from .save_dialog import ask_for_file
 from .study_plots import PlotTab
@@ -217,4 +217,4 @@ class StudyWindow(QtGui.QDialog):
 
 
 def _shown(value):
-    return "%.5g" % value if isinstance(value, float) else str(value)
+    return figure(value, 5) if isinstance(value, float) else str(value)
