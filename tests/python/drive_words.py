@@ -3,6 +3,7 @@
 import json
 import os
 import sys
+from pathlib import Path
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
@@ -150,6 +151,39 @@ def check_live():
     close()
 
 
+def check_difference(body, path):
+    """The header says what the numbers of the part itself are in."""
+    from freecad.featuremesh.commands import made
+    found = made("FeatureMesh_Compare").show(body, path)
+    header = found.tree.headerItem()
+    assert [header.text(column) for column in (2, 3)] == ["by how much (mm)", "volume"], header.text(2)
+    assert found.tree.topLevelItem(2).text(3).endswith("in^3"), found.tree.topLevelItem(2).text(3)
+    found.close()
+    spin()
+
+
+def check_commas(body, path):
+    """Numbers in lists and tables have the decimal sign of all others."""
+    from freecad.featuremesh.commands import made
+    from freecad.featuremesh.gui import study_window
+    QtCore.QLocale.setDefault(QtCore.QLocale("de_DE"))
+    assert FreeCAD.Units.Quantity("0.5 mm").UserString == "0,50 mm"
+    shown = open_panel("Study", "StudyPanel")
+    item = shown.dimensions.item_of("Fillet.Radius")
+    item.setCheckState(0, QtCore.Qt.Checked)
+    assert item.text(1) == "2,7 : 3,3", item.text(1)
+    item.setText(1, "2,5 : 3,5")
+    assert list(shown.study.Parameters) == ["Fillet.Radius=2.5:3.5"], shown.study.Parameters
+    item.setCheckState(0, QtCore.Qt.Unchecked)
+    close()
+    found = made("FeatureMesh_Compare").show(body, path)
+    volumes = [found.tree.topLevelItem(row).text(3) for row in range(found.tree.topLevelItemCount())]
+    assert any("," in volume for volume in volumes) and not any("." in volume for volume in volumes), volumes
+    found.close()
+    assert study_window._shown(1234567.0) == "1234600" and study_window._shown(2.5) == "2,5"
+    QtCore.QLocale.setDefault(QtCore.QLocale.c())
+
+
 def count_in(document, schema):
     """FreeCAD's number of a unit scheme; since 1.0 each document has its own, too."""
     if hasattr(document, "UnitSystem"):
@@ -163,6 +197,8 @@ def drive():
     document = FreeCAD.ActiveDocument
     document.UndoMode = 1
     body = document.Body
+    path = str(Path(document.FileName).with_name("before.FCStd"))
+    document.saveCopy(path)
     mesh = api.add_mesh(body, 8.0, order=1)
     document.recompute()
     check_labels(body, mesh)
@@ -171,9 +207,11 @@ def drive():
     check_cut()
     count_in(document, 3)   # inches with decimals
     check_dimensions()
+    check_difference(body, path)
     if not engine.load().statics_missing():
         check_live()
     count_in(document, 0)
+    check_commas(body, path)
     figures.append("words: labels, units and decimal signs are as they should be")
 
 

@@ -9,7 +9,7 @@ from PySide import QtCore, QtGui
 from ..errors import UserError
 from ..messages import said
 from ..study import design
-from ..user_words import are_lengths_in_mm
+from ..user_words import are_lengths_in_mm, as_shown
 
 translate = FreeCAD.Qt.translate
 _NAME, _RANGE = range(2)
@@ -79,7 +79,7 @@ class DimensionList(QtGui.QTreeWidget):
             self.addTopLevelItem(group)
             group.setFirstColumnSpanned(True)
             group.setExpanded(True)
-        number = "%.6g" % dimension.value
+        number = as_shown("%.6g" % dimension.value)
         value = "  " + number + _unit_to_tell(dimension.unit)
         item = QtGui.QTreeWidgetItem([dimension.name + value])
         item.setData(_NAME, _VALUE, value)
@@ -145,7 +145,7 @@ def _width(metrics, text):
 
 
 def _range_in_words(bounds):
-    return "%.6g : %.6g" % tuple(bounds)
+    return as_shown("%.6g : %.6g" % tuple(bounds))
 
 
 def _unit_to_tell(unit):

@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import tables
-from ..user_words import in_users_units, in_words
+from ..user_words import are_lengths_in_mm, as_shown, in_users_units, in_words
 from ..view_provider import drawn_icon
 from .showing import restore, show_part
 
@@ -31,7 +31,8 @@ def show_tree(part, found):
 def show_difference(part, found):
     """Shows what changed, feature by feature and below them face by face; `part` is the new state."""
     header, rows = tables.rows_of_difference(found)
-    header = [*header[:3], translate("FeatureMesh", "volume"), *header[4:]]   # in the user's units
+    how_much = header[2] if are_lengths_in_mm() else header[2] + " (mm)"   # numbers of the part itself, which the engine says
+    header = [*header[:2], how_much, translate("FeatureMesh", "volume"), *header[4:]]   # which is in the user's units
     title = "%s: %s" % (translate("FeatureMesh", "What changed"), part.Label)
     window = _Window(title, header, tables.difference_note(found), part)
     for row, feature in zip(rows, found["features"]):
@@ -104,7 +105,7 @@ class _Window(QtGui.QDialog):
 
 
 def _volume(cell):
-    return in_users_units(cell + " mm^3") if cell else ""
+    return as_shown(in_users_units(cell + " mm^3")) if cell else ""
 
 
 def _item(cells, faces=(), verdict=None):
@@ -126,7 +127,7 @@ def _face_item(change):
     old, new = change["old_face"] or "", change["new_face"] or ""
     name = old if old == new or not new else new if not old else "%s → %s" % (old, new)
     areas = " → ".join("%.6g" % area for area in (change["old_area"], change["new_area"]) if area is not None)
-    detail = "" if change["verdict"] == "kept" else in_users_units(translate("FeatureMesh", "area %s mm^2") % areas)
+    detail = "" if change["verdict"] == "kept" else as_shown(in_users_units(translate("FeatureMesh", "area %s mm^2") % areas))
     item = _item((name, "", detail, "", old, new), [new] if new else (), change["verdict"])
     item.setText(1, tables.verdict_in_words(change["verdict"], change.get("inner", False)))
     return item
