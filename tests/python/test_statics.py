@@ -353,6 +353,8 @@ class InTheDocument(Case):
         fields, report = statics.solve(analysis)
         self.assertEqual(np.abs(fields["displacements"]).max(), 0)
         self.assertIn("loads nothing", " ".join(map(english, report["warnings"])))
+        self.document.removeObject("Force")
+        self.assertEqual([english(line) for line in statics.solve(analysis)[1]["warnings"]], ["nothing loads the part: add a force, a pressure or another load to the analysis"])
 
     def test_supports_and_loads_on_nothing(self):
         part, analysis = self.held_box(8.0)

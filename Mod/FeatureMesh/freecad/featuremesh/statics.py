@@ -93,7 +93,7 @@ class SolveJob:
             "matrix_solver": {"name": "cg", "preconditioner": fields["preconditioner"], "why": "conjugate gradients (PETSc), the live solver's only one"},
             "responses": responses(statics, fields), "iterations": fields["iterations"], "residual": fields["residual"],
             "energy_error": fields["energy_error"], "mesh_error": fields["discretisation_error"],
-            "warnings": statics.warnings + remarks(statics.arrays, fields["discretisation_error"]),
+            "warnings": statics.warnings + (remarks(statics.arrays, fields["discretisation_error"]) if fields["displacements"].any() else without_load(statics)),
             "reused": {"preconditioner": fields["kept_preconditioner"], "start_share": fields["kept_start_share"]},
             "seconds": {"read": read, **seconds, "total": self._read + time.perf_counter() - start}}
 
@@ -148,6 +148,11 @@ def tet_volumes(arrays):
     """(m,) mm^3 of the tets with straight sides."""
     a, b, c, d = (arrays["points"][arrays["tets"][:, i]] for i in range(4))
     return np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) / 6
+
+
+def without_load(statics):
+    """Where nothing moves: what does not load the part is named already, but there may be no load at all."""
+    return [] if statics.warnings else [said("nothing loads the part: add a force, a pressure or another load to the analysis")]
 
 
 def remarks(arrays, error=None):

@@ -985,6 +985,10 @@
       <translation>nichts wird verändert: jeder Parameter hat nur einen Wert</translation>
     </message>
     <message>
+      <source>nothing loads the part: add a force, a pressure or another load to the analysis</source>
+      <translation>das Teil ist nicht belastet: der Analyse eine Kraft, einen Druck oder eine andere Last hinzufügen</translation>
+    </message>
+    <message>
       <source>of a case can be kept: {kinds:text}, not {kind:text}</source>
       <translation>von einem Fall lässt sich behalten: {kinds:text}, nicht {kind:text}</translation>
     </message>
