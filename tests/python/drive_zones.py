@@ -41,6 +41,20 @@ def open_again(zone):
     return panel("ZonePanel")
 
 
+def check_kinds(mesh):
+    """Every kind is in the middle of the part, also when it is chosen after another; the fields say where that puts it."""
+    settings = open_with((mesh,))
+    middle, zone = mesh.FemMesh.BoundBox.Center, settings.zone
+    for kind in (1, 2, 3, 1, 0, 3, 2, 0):   # box, sphere, cylinder, distance
+        settings.kind.setCurrentIndex(kind)
+        spin()
+        corner = {0: (zone.Length.Value / 2, zone.Width.Value / 2, zone.Height.Value / 2), 2: (0, 0, zone.Height.Value / 2)}.get(kind, (0, 0, 0))
+        assert (zone.Placement.Base + FreeCAD.Vector(*corner) - middle).Length < 1e-6, (zone.Kind, zone.Placement, middle)
+        shown = [widget.property("rawValue") for widget in settings.place]
+        assert (FreeCAD.Vector(*shown) - zone.Placement.Base).Length < 0.02, (zone.Kind, shown)   # fields round
+    click_in_panel("Cancel")
+
+
 def check_cancel(document, mesh):
     names, steps = {obj.Name for obj in document.Objects}, document.UndoCount
     settings = open_with((mesh,))
@@ -145,6 +159,7 @@ def drive():
     spin(1)
     settle_view()
     check_local_size(document, body, mesh)
+    check_kinds(mesh)
     check_cancel(document, mesh)
     check_sphere(document, mesh)
     check_double_click(document, mesh)

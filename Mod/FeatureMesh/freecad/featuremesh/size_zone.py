@@ -87,8 +87,21 @@ def fit_to(zone, box):
     side = box.DiagonalLength / 8
     zone.Length = zone.Width = zone.Height = 2 * side
     zone.Radius = side
-    corner = {BOX: FreeCAD.Vector(side, side, side), CYLINDER: FreeCAD.Vector(0, 0, side)}.get(zone.Kind, FreeCAD.Vector())
-    zone.Placement = FreeCAD.Placement(box.Center - corner, FreeCAD.Rotation())
+    zone.Placement = FreeCAD.Placement(box.Center - _middle(zone), FreeCAD.Rotation())
+
+
+def change_kind(zone, kind):
+    """Another kind around the same middle."""
+    before = zone.Placement.multVec(_middle(zone))
+    zone.Kind = kind
+    turn = zone.Placement.Rotation
+    zone.Placement = FreeCAD.Placement(before - turn.multVec(_middle(zone)), turn)
+
+
+def _middle(zone):
+    """In the frame of the zone's placement."""
+    height = zone.Height.Value / 2
+    return {BOX: FreeCAD.Vector(zone.Length.Value / 2, zone.Width.Value / 2, height), CYLINDER: FreeCAD.Vector(0, 0, height)}.get(zone.Kind, FreeCAD.Vector())
 
 
 def outline(kind, *measures):

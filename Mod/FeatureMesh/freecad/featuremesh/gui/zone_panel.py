@@ -109,7 +109,11 @@ class ZonePanel:
         self.references.setText(", ".join(names) or translate("FeatureMesh", "nothing yet: select faces, edges or vertices"))
 
     def _take_kind(self, index):
-        self.zone.Kind = size_zone.KINDS[index]
+        size_zone.change_kind(self.zone, size_zone.KINDS[index])
+        for axis, widget in enumerate(self.place):
+            widget.blockSignals(True)
+            widget.setProperty("rawValue", self.zone.Placement.Base[axis])
+            widget.blockSignals(False)
         self._show_rows()
 
     def _take_length(self, name):
