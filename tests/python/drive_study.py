@@ -222,6 +222,7 @@ def check_report(study, results):
     path = opened.call_args[0][0].toLocalFile()
     page = Path(path).read_text(encoding="utf-8")
     assert page.count("data:image/png;base64,") == 4 and "Pareto" in page
+    assert "<h1>Study of bracket.FCStd</h1>" in page, page[:2000]
     with tempfile.TemporaryDirectory() as folder:
         with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", return_value=(os.path.join(folder, "of 12.5 mm"), "JSON (*.json)")):
             click(results.export_button)

@@ -126,11 +126,17 @@ def start(obj):
     except OSError as error:
         raise UserError(said("the study's folder {path:text} cannot be made ({why:text}); save the document where you may write, the study is kept beside it",
                              path=folder, why=error.strerror)) from error
-    path = os.path.join(folder, "part.FCStd")
+    path = os.path.join(folder, _name_of_copy(obj.Document.FileName))
     documents.save_document(obj.Document, path)
     study_file.write(study_of(obj, path), os.path.join(folder, "study.toml"))
     obj.Folder = folder
     return window_run.WindowRun(folder, obj.Jobs)
+
+
+def _name_of_copy(path):
+    """That of the document, which the report is named after; not that of the study's own base.FCStd."""
+    name = os.path.basename(path)
+    return name if name.endswith(".FCStd") and name != "base.FCStd" else "part.FCStd"
 
 
 def go_on(obj, more=0):
@@ -146,7 +152,8 @@ def has_mesh(obj):
 def is_as_run(obj):
     """Does the object ask for what its folder's study asks for, but for the number of cases?"""
     try:
-        asked, kept = study_of(obj, os.path.join(obj.Folder, "part.FCStd")), read_toml(os.path.join(obj.Folder, "study.toml"))
+        kept = read_toml(os.path.join(obj.Folder, "study.toml"))
+        asked = study_of(obj, kept.document)
     except (UserError, OSError):
         return False
     same = {"cases": 0, "mesh_size": None, "mesh_order": None}   # the mesh may have been made since
