@@ -9,6 +9,7 @@ from unittest import mock
 
 import FreeCAD
 from freecad.featuremesh import engine, job, messages, reading, user_words
+from freecad.featuremesh.study import report
 from parts import new_document, plate_with_hole
 from PySide import QtCore
 
@@ -172,6 +173,11 @@ class Messages(unittest.TestCase):
         self.assertEqual([user_words.in_words(text) for text in said], [
             "The size of 10 in is larger than 2 in x 1 in x -0.5 in.", "volume 1 in^3 -> 2 in^3", "Face2 has 3 edges, Edge12 mm",
             "node 7 at (1 in, 0 in, -0.1 in)"])
+
+    def test_figures_are_written_as_people_write_them(self):
+        for value, digits, text in ((16500.4, 4, "16500"), (-99999.7, 5, "-100000"), (1e12, 4, "1e+12"), (0.00012345, 3, "0.000123"), (0.0, 4, "0")):
+            self.assertEqual(messages.figure(value, digits), text)
+        self.assertEqual(report._shown(164190.3), "164190")
 
     def test_figures_have_the_users_units(self):
         self.addCleanup(FreeCAD.Units.setSchema, 0)

@@ -10,6 +10,7 @@ A message is {"template": English words with {name:kind} where a parameter goes,
 import difflib
 import string
 
+_MOST_WITHOUT_POWER = 1e7
 _MOST_ENTITIES = 6   # are named
 _MOST_OWNERS = 3      # of one: what belongs to more features is not told by them
 AND_MORE, INSIDE = "%s and %d more", "the inside"
@@ -152,6 +153,12 @@ class Words(string.Formatter):
 
     def _messages(self, messages):
         return "; ".join(self.put(message) for message in _listed(messages))
+
+
+def figure(value, digits):
+    """A number with so many digits that count, and without a power of ten where people write none: 16500 for 1.65e+04."""
+    text = "%.*g" % (digits, value)
+    return "%.0f" % float(text) if "e+" in text and abs(value) < _MOST_WITHOUT_POWER else text
 
 
 def _digits(value, nothing=5e-10):

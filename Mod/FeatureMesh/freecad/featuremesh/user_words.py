@@ -14,7 +14,6 @@ _IN_MM = (0, 6, 8)
 _NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 # "2.5 mm", "40 x 10 x 10 mm", "80 -> 90 mm^3" and "(1, 2, 3) mm"; not the 2 of "Edge2 mm" nor of "1.2.3".
 _QUANTITY = re.compile(r"(?<![\w.])(?P<numbers>(?:{0}(?: x | -> | → ))*{0}|\({0}(?:, {0})*\)) (?P<unit>mm(?:\^[23])?)(?![\w^])".format(_NUMBER))
-_MOST_WITHOUT_POWER = 1e7
 _DECIMAL = re.compile(r"(\d)\.(\d)")
 _ALSO_SAID = (QT_TRANSLATE_NOOP("FeatureMesh", "%s and %d more"), QT_TRANSLATE_NOOP("FeatureMesh", "the inside"))   # by messages.py
 
@@ -40,9 +39,8 @@ def as_shown(numbers):
 
 
 def figure(value, digits):
-    """A number with so many digits that count, and without a power of ten where people write none: 16500 for 1.65e+04."""
-    text = "%.*g" % (digits, value)
-    return as_shown("%.0f" % float(text) if "e+" in text and abs(value) < _MOST_WITHOUT_POWER else text)
+    """The same as messages.figure, with the decimal sign that FreeCAD shows."""
+    return as_shown(messages.figure(value, digits))
 
 
 def unit_of(unit):

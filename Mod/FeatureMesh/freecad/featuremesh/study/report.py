@@ -8,7 +8,7 @@ import numpy as np
 
 from .. import whole_file
 from ..errors import UserError
-from ..messages import english, said
+from ..messages import english, figure, said
 from . import answers, plots
 
 _MOST_ROWS = 200
@@ -158,4 +158,4 @@ def _with_unit(case, response):
 
 
 def _shown(value):
-    return "%.5g" % value if isinstance(value, (float, np.floating)) else str(value)
+    return figure(value, 5) if isinstance(value, (float, np.floating)) else str(value)
