@@ -14,7 +14,8 @@ namespace featuremesh {
 
 namespace {
 
-static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Entity) == 8 && sizeof(NodeId) == 4,
+static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Entity) == 8 && sizeof(NodeId) == 4 &&
+                  sizeof(SharedNode) == 12,
               "arrays are handed over as they lie");
 
 /// A read-only view of a vector of small fixed-size rows of `Scalar`; `owner` keeps it alive.
@@ -143,6 +144,7 @@ py::dict arrays_of_part(const py::object& self) {
     arrays["adopted_sizes"] = view<double>(part.adopted_sizes, self);
     arrays["refined_narrow_faces"] = py::array_t<bool>(1, &part.options.sizing.refines_narrow_faces);
     arrays["ignored_below"] = py::array_t<double>(1, &part.options.ignored_below);
+    arrays["shared_nodes"] = view<std::int32_t>(part.shared_nodes, self);
     return arrays;
 }
 

@@ -18,7 +18,7 @@
 `options` is a dict with at least size (mm); further min_size, elements_per_circle, elements_across_gap, growth, order (1, 2), threads,
 dimension ("from_shape", which takes solids, else faces, else edges; "solids", "faces", "edges"),
 target_dihedral_deg, keep_margin (in edge lengths; 0 is as the sizes need), ignore_below (mm; smaller details get no
-elements of their own; 0: those below a thousandth of the size where the part is refused with them; negative: none), local: list of ("Face12", size).
+elements of their own; 0: those below a thousandth of the size, unless the part is refused without them; negative: none), local: list of ("Face12", size).
 
 `progress(step: str, share: float) -> bool`: return False to cancel (raises Cancelled).
 """
@@ -58,7 +58,8 @@ class PartMesh:
         tets (m,4), tet_mids (m,6) or (0,6), tet_solids, tet_numbers, counters (4,) int64 (order, corner_count, next node number, next element number); adopted_sizes
         (k,4) mm (place, edge length) where the mesh comes from another maker's; made_for_nodes (k,) and made_for_sizes (k,) mm where kept
         nodes were made for other edge lengths than those wanted there now; refined_narrow_faces (1,) bool: did faces far narrower than the size
-        ask for shorter edges, as they do in updates of that mesh; ignored_below (1,) mm: smaller details have no elements of their own.
+        ask for shorter edges, as they do in updates of that mesh; ignored_below (1,) mm: smaller details have no elements of their own;
+        shared_nodes (k,3) int32 (dimension, index, node): the nodes that entities without elements of their own share with others.
         Indices count from 0; tets have positive volume in VTK/Abaqus order. Views, read-only."""
     def node_origin(self) -> np.ndarray: """(n,) int32: index of the node in the mesh before the update, -1 for a new one."""
     def tet_origin(self) -> np.ndarray: """(m,) int32, likewise; by triangle or segment where those fill the part."""

@@ -12,7 +12,6 @@
 #include "mesh/tets_at_nodes.h"
 #include "surface/merged_entities.h"
 #include "surface/turned_triangles.h"
-#include "update/ignored_details.h"
 #include "update/mend_angles.h"
 #include "update/our_errors.h"
 #include "update/shell_division.h"
@@ -356,11 +355,11 @@ class SizeLoop {
         return true;
     }
 
-    /// May shorter edges mend thin elements? Two rounds show it. Where small details may be ignored, ignoring them is
-    /// better. Thin elements that came with the short edges of 10-node tets are not mended by still shorter ones.
+    /// May shorter edges mend thin elements? Two rounds show it. Those that came with the short edges of 10-node tets
+    /// are not mended by still shorter ones.
     bool may_help_thin() {
         constexpr int most_thin_rounds = 2;
-        return !stand_in_ && thin_rounds_++ < most_thin_rounds && ignorable_below(brep_, options_) == 0;
+        return !stand_in_ && thin_rounds_++ < most_thin_rounds;
     }
 
     /// With the lengths of the last round it failed in another way.

@@ -1,20 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "update/ignored_details.h"
 
+#include <BRepGProp.hxx>
+#include <GProp_GProps.hxx>
+#include <TopoDS_Solid.hxx>
 #include <algorithm>
+#include <cstddef>
 
+#include "core/ids.h"
 #include "sizing/sizing_field.h"
 #include "surface/merged_entities.h"
 
 namespace featuremesh {
 
-double ignorable_below(const Brep& brep, const MeshOptions& options) {
-    constexpr double share_of_size = 1e-3;
-    if (options.ignore_below != 0 || options.ignored_below > 0) return 0;
+namespace {
+
+/// The mean thickness of a solid's walls, mm.
+double thickness(const Brep& brep, SolidId solid) {
+    GProp_GProps area;
+    BRepGProp::SurfaceProperties(brep.solid(solid), area);
+    return 2 * brep.volume_of(solid) / area.Mass();
+}
+
+/// The length, or less where a solid is so thin that it would go with what is below it.
+double that_spares_solids(const Brep& brep, double length) {
+    constexpr double share_of_thickness = 0.25;
+    const double diagonal = brep.tolerances().diagonal;
+    for (std::size_t s = 0; s < brep.solid_count(); ++s)
+        if (brep.volume_of(SolidId(s)) < length * diagonal * diagonal)  // others are thicker
+            length = std::min(length, share_of_thickness * thickness(brep, SolidId(s)));
+    return length;
+}
+
+}  // namespace
+
+double length_to_ignore(const Brep& brep, const MeshOptions& options) {
+    constexpr double share_of_size = 1e-3, share_of_diagonal = 1e-4;
+    if (options.ignore_below != 0) return std::max(0.0, options.ignore_below);
     double smallest = options.sizing.size;
     for (const LocalSize& local : options.sizing.local) smallest = std::min(smallest, local.size);
-    const double below = share_of_size * smallest;
-    return MergedEntities(brep, below).is_same_as(MergedEntities(brep)) ? 0 : below;
+    return that_spares_solids(brep, std::min(share_of_size * smallest, share_of_diagonal * brep.tolerances().diagonal));
+}
+
+bool ignore_the_same(const Brep& brep, double length, double other) {
+    return length == other || MergedEntities(brep, length).is_same_as(MergedEntities(brep, other));
 }
 
 }  // namespace featuremesh

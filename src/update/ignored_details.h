@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What may be left out of a mesh because it is far smaller than the elements.
+// What is left out of a mesh because it is far smaller than the elements.
 #pragma once
 
 #include "brep/brep.h"
@@ -7,8 +7,11 @@
 
 namespace featuremesh {
 
-/// The length, mm, below which details are ignored where the part is refused with them; 0 where the user says how, and
-/// where nothing is so small.
-double ignorable_below(const Brep& brep, const MeshOptions& options);
+/// The length, mm, below which details are ignored: the user's, or what is negligible beside the elements, the part and
+/// the walls of each of its solids.
+double length_to_ignore(const Brep& brep, const MeshOptions& options);
+
+/// Whether the same details of the part are below the one length as below the other.
+bool ignore_the_same(const Brep& brep, double length, double other);
 
 }  // namespace featuremesh

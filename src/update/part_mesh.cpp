@@ -173,12 +173,6 @@ void record_kept(const PartMesh& now, const std::vector<KeptByMotion>& by_motion
     report.active_nodes = now.active_points.size();
 }
 
-/// Whether the details that the old mesh has not are those that it would be made without now.
-bool ignore_the_same(const MeshOptions& old, const MeshOptions& now) {
-    if (now.ignore_below == 0) return old.ignore_below <= 0;
-    return old.ignored_below == std::max(0.0, now.ignore_below);
-}
-
 void check_ignored(const MeshOptions& options) {
     const double below = options.ignore_below, size = options.sizing.size;
     if (below <= 0 || !(size > 0)) return;  // a wrong mesh size is refused where the sizing field is made
@@ -189,7 +183,8 @@ void check_ignored(const MeshOptions& options) {
 /// Why nothing of the old mesh can be kept, if nothing can.
 Message reason_for_full_mesh(const PartMesh& old, const MeshOptions& options) {
     if (old.options.order != options.order) return say<Code::order_changed>();
-    if (!ignore_the_same(old.options, options)) return say<Code::other_details_ignored>();
+    if (!ignore_the_same(old.part.brep, old.options.ignored_below, options.ignored_below))
+        return say<Code::other_details_ignored>();
     if (options.sizing.size != old.options.sizing.size) return say<Code::global_size_changed>();
     if (options.sizing.elements_across_gap >= elements_that_bend &&
         old.options.sizing.elements_across_gap < elements_that_bend)
@@ -362,19 +357,12 @@ class Stages {
             report_.rounds.push_back({"narrow faces", {}, "the plain size along them", why});
             report_.warnings.push_back(say<Code::narrow_faces_plain>(why));
         }
-        options_.ignored_below = std::max(0.0, options_.ignore_below);
+        options_.ignored_below = length_to_ignore(part_->brep, options_);
         auto whole = fill_all(next);
-        const Message lacking = what_lacks(whole);
-        if (!lacking.empty() && ignores_details(lacking)) {
-            auto without_details = fill_all(next);
-            if (what_lacks(without_details).empty() || std::holds_alternative<Message>(whole))
-                whole = std::move(without_details);
-            else
-                options_.ignored_below = std::max(0.0, options_.ignore_below);
-        }
-        if (std::holds_alternative<Message>(whole) && tells_of_thin_tets(lacking)) {
-            options_.ignored_below = std::max(0.0, options_.ignore_below);
-            report_.rounds.push_back({"thin elements", {}, "they stay", lacking});
+        if (const auto* refusal = std::get_if<Message>(&whole); refusal && takes_all_details(*refusal))
+            whole = fill_all(next);
+        if (const auto* refusal = std::get_if<Message>(&whole); refusal && tells_of_thin_tets(*refusal)) {
+            report_.rounds.push_back({"thin elements", {}, "they stay", *refusal});
             whole = fill_all(next, true);
         }
         if (const auto* refusal = std::get_if<Message>(&whole)) throw MeshError(*refusal);
@@ -394,10 +382,11 @@ class Stages {
             extended(without(tet_origin_, filled_->released), element_count(mesh, dimension()));
         MadeFor sizes;
         if (before) sizes = without(std::move(made_for_), filled_->moved);
+        std::vector<SharedNode> shared = shared_nodes(mesh, part_->brep, options_.ignored_below);
         auto now = std::make_shared<PartMesh>(PartMesh{std::move(*part_), std::move(document_), options_,
                                                        std::move(*sizing_), std::move(mesh), std::move(node_origin),
                                                        std::move(tet_origin), std::move(filled_->used_active),
-                                                       std::move(sizes), std::move(adopted_sizes_)});
+                                                       std::move(sizes), std::move(adopted_sizes_), std::move(shared)});
         record_kept(*now, report_.kept, report_);
         record_run(*now, context_, seconds_since(start_), report_);
         return {std::move(now), std::move(report_)};
@@ -430,19 +419,11 @@ class Stages {
         return refusal.code() == Code::thin_elements_remain || refusal.code() == Code::thin_elements_remain_beside;
     }
 
-    /// Why there is no mesh, or one that is not on the shape all over.
-    static Message what_lacks(const std::variant<Filled, Message>& whole) {
-        const auto* filled = std::get_if<Filled>(&whole);
-        return filled ? filled->why_straight : std::get<Message>(whole);
-    }
-
-    /// Whether the part, refused as it is, may be filled without what is too small for elements of its own, and has
-    /// anything so small.
-    bool ignores_details(const Message& refusal) {
-        const double below = ignorable_below(part_->brep, options_);
-        if (below == 0) return false;
-        options_.ignored_below = below;
-        report_.rounds.push_back({"details", {}, "those below " + in_words(below, 3) + " mm are ignored", refusal});
+    /// Whether the part, refused without its smallest details, may be filled with them.
+    bool takes_all_details(const Message& refusal) {
+        if (options_.ignore_below != 0 || ignore_the_same(part_->brep, options_.ignored_below, 0)) return false;
+        options_.ignored_below = 0;
+        report_.rounds.push_back({"details", {}, "none are ignored", refusal});
         return true;
     }
 
@@ -540,7 +521,9 @@ PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunCo
 PartMeshResult update_part(const PartMesh& old, RawDocument document, const MeshOptions& asked, RunContext& context) {
     MeshOptions options = with_pieces_round_rods(asked);
     options.sizing.refines_narrow_faces = old.options.sizing.refines_narrow_faces;
-    options.ignored_below = old.options.ignored_below;
+    options.ignored_below = length_to_ignore(old.part.brep, options);
+    if (options.ignore_below == 0 && old.options.ignore_below == 0)
+        options.ignored_below = std::min(options.ignored_below, old.options.ignored_below);
     if (options == old.options && document == old.document) return unchanged(old, context);
     Message why_full = reason_for_full_mesh(old, options);
 
@@ -585,6 +568,7 @@ std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOpt
     if (!broken.empty()) throw StateError(say<Code::saved_mesh_misfits>(broken.front()));
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     const std::size_t nodes = mesh.node_count(), elements = element_count(mesh, part.brep.dimension());
+    std::vector<SharedNode> shared = shared_nodes(mesh, part.brep, options.ignored_below);
     return std::make_shared<const PartMesh>(PartMesh{std::move(part),
                                                      std::move(document),
                                                      options,
@@ -594,7 +578,8 @@ std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOpt
                                                      std::vector<std::int32_t>(elements, -1),
                                                      {},
                                                      std::move(made_for),
-                                                     std::move(adopted_sizes)});
+                                                     std::move(adopted_sizes),
+                                                     std::move(shared)});
 }
 
 }  // namespace featuremesh

@@ -16,6 +16,7 @@
 #include "update/made_for.h"
 #include "update/options.h"
 #include "update/report.h"
+#include "update/shared_nodes.h"
 
 namespace featuremesh {
 
@@ -32,6 +33,7 @@ struct PartMesh {
     MadeFor made_for = {};                  ///< what kept nodes were made for, where that is not what is wanted now
     std::vector<SizeSource> adopted_sizes =
         {};  ///< of another maker's mesh that this one comes from: updates go on in its sizes where they are finer
+    std::vector<SharedNode> shared_nodes = {};  ///< of what has no elements of its own, as it is too small
 };
 
 struct PartMeshResult {

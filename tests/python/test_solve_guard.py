@@ -13,7 +13,7 @@ from femtools import ccxtools
 from freecad.featuremesh import api, mesh_properties, references, results, solve_guard, versions
 from freecad.featuremesh.errors import UserError
 from parts import new_document
-from test_document_solving import FORCE, STEEL, analysis_of
+from test_document_solving import FORCE, STEEL, analysis_of, face_at
 
 
 class SolveGuard(unittest.TestCase):
@@ -85,6 +85,32 @@ class SolveGuard(unittest.TestCase):
         self.refuses("Beam was edited and not recomputed")
         self.document.recompute()
         self.assertEqual((self.problem(), self.document.FeatureMesh.FemMesh.BoundBox.XMax), ("", 50))
+
+    def test_what_is_too_small_for_elements(self):
+        """A load on it is refused; a support has the nodes in its place."""
+        step = self.document.addObject("Part::Box", "Step")
+        step.Length, step.Width, step.Height, step.Placement.Base.z = 20, 10, 0.003, 10
+        stepped = self.document.addObject("Part::Fuse", "Stepped")
+        stepped.Base, stepped.Tool = self.part, step
+        self.document.recompute()
+        low, = ["Face%d" % (n + 1) for n, face in enumerate(stepped.Shape.Faces) if abs(face.CenterOfMass.x - 20) < 0.1 and face.Area < 0.1]
+        self.document.removeObject(self.mesh.Name)
+        fixed, force = self.document.Fixed, self.document.Force
+        ends = {x: [(stepped, face_at(stepped, x))] for x in (0, 40)}
+        fixed.References, force.References, force.Direction = ends[0], [(stepped, low)], (stepped, ["Edge1"])
+        mesh = api.add_mesh(stepped, 5, order=1)
+        self.document.recompute()
+        refusal = "Force acts on %s, where the mesh has no elements" % low
+        self.refuses(refusal)
+        with self.assertRaisesRegex(UserError, refusal):
+            api.solve_live(api.live_result(self.analysis))
+        fixed.References, force.References = [(stepped, low)], ends[40]
+        self.document.recompute()
+        self.assertEqual(self.problem(), "")
+        groups = {mesh.FemMesh.getGroupName(group): mesh.FemMesh.getGroupElements(group) for group in mesh.FemMesh.Groups}
+        held = [mesh.FemMesh.Nodes[node] for node in groups["Fixed_Nodes"]]
+        self.assertGreater(len(held), 2)
+        self.assertTrue(all(abs(place.x - 20) < 1e-6 and abs(place.z - 10) < 0.005 for place in held), held)
 
     def test_a_cell_that_drives_the_part(self):
         sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")

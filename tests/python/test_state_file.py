@@ -144,7 +144,7 @@ class StateFile(unittest.TestCase):
         for name, values in example().arrays.items():
             self.assertEqual(after[name].tobytes(), values.tobytes())
         self.assertEqual({name: values.tolist() for name, values in after.items() if name not in example().arrays},
-                         {"made_for_nodes": [], "made_for_sizes": [], "adopted_sizes": [], "ignored_below": [0.0], "refined_narrow_faces": [False]})
+                         {"made_for_nodes": [], "made_for_sizes": [], "adopted_sizes": [], "ignored_below": [0.0], "refined_narrow_faces": [False], "shared_nodes": []})
 
     def test_schema_1_told_refined_faces_by_an_empty_array(self):
         after = self.of_schema_1(refined_narrow_faces=np.zeros(0, np.int32), ignored_below=np.array([0.5]), made_for_nodes=np.array([3], np.int32),

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts with what is far smaller than the size: thin rods, and details that are ignored.
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <set>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -272,16 +274,57 @@ TEST_CASE("a floor far thinner than its triangles are wide is meshed at once, al
         }
 }
 
-TEST_CASE(
-    "where no detail is below the length, and automatically where "
-    "nothing is refused, the bytes are the same") {
+TEST_CASE("where no detail is below the length the bytes are the same") {
     MeshOptions off = options_of(4), on = off, automatic = off;
     off.ignore_below = -1, on.ignore_below = 0.01, automatic.ignore_below = 0;
     const Mesh plain = meshed(stepped_block(3, 45), off).part_mesh->mesh;
     CHECK(are_same_bytes(plain, meshed(stepped_block(3, 45), on).part_mesh->mesh));
     CHECK(are_same_bytes(plain, meshed(stepped_block(3, 45), automatic).part_mesh->mesh));
-    CHECK(are_same_bytes(meshed(stepped_block(0.004, 45), off).part_mesh->mesh,
-                         meshed(stepped_block(0.004, 45), automatic).part_mesh->mesh));
+    CHECK(are_same_bytes(meshed(stepped_block(0.005, 45), off).part_mesh->mesh,
+                         meshed(stepped_block(0.005, 45), automatic).part_mesh->mesh));
+}
+
+TEST_CASE(
+    "automatically what is below a thousandth of the smallest size asked for is ignored, also where an edit makes it") {
+    MeshOptions automatic = options_of(4), finer = automatic;
+    automatic.ignore_below = 0, finer.ignore_below = 0;
+    finer.sizing.local.push_back({entity_of(FaceId(0)), 2});
+    const PartMeshResult plain = meshed(stepped_block(3, 45), automatic);
+    const PartMeshResult stepped = updated(*plain.part_mesh, stepped_block(0.003, 45), automatic);
+    const PartMeshResult again = updated(*stepped.part_mesh, stepped_block(0.003, 45), finer);
+    for (const PartMeshResult* result : {&plain, &stepped, &again}) check_valid(*result->part_mesh);
+    CHECK(stepped.report.kept_nodes_share > 0.3);
+    CHECK(stepped.report.quality.min_dihedral > 15);
+    CHECK(again.report.kept_nodes_share == 0);
+    CHECK(again.report.quality.min_dihedral < 5);
+}
+
+TEST_CASE("a solid as thin as what is ignored automatically has its elements") {
+    const RawDocument both = PartDocument()
+                                 .box("Block", {0, 0, 0}, {40, 30, 20})
+                                 .box("Film", {45, 0, 0}, {0.5, 0.5, 0.003})
+                                 .fuse("Both", "Block", "Film")
+                                 .finish();
+    MeshOptions automatic = options_of(4);
+    automatic.ignore_below = 0;
+    const PartMeshResult result = meshed(both, automatic);
+    check_valid(*result.part_mesh);
+    CHECK(result.part_mesh->options.ignored_below < 0.001);
+    CHECK(result.part_mesh->shared_nodes.empty());
+}
+
+TEST_CASE("what is too small for elements of its own has the nodes in its place") {
+    for (const int order : {1, 2}) {
+        MeshOptions options = options_of(4, order);
+        options.ignore_below = 0;
+        const auto part = meshed(stepped_block(0.003, 45), options).part_mesh;
+        std::set<Entity> faces;
+        for (const SharedNode& shared : part->shared_nodes) {
+            CHECK(std::abs(part->mesh.point(shared.node).z - 8) < 0.004);
+            if (shared.entity.dim == 2) faces.insert(shared.entity);
+        }
+        CHECK(faces.size() == 4);  // the step's four sides
+    }
 }
 
 TEST_CASE(

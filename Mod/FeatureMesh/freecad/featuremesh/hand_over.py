@@ -259,6 +259,7 @@ class EntityGroups:
         on_vertex = np.flatnonzero(arrays["entities"][:, 0] == 0)
         for node in on_vertex:
             self._nodes["Vertex%d" % (arrays["entities"][node, 1] + 1)] = numbers[[node]]
+        self._share_nodes(arrays["shared_nodes"])
 
     def elements(self, name):
         """Numbers of the elements of that entity (empty for a vertex or an unknown name)."""
@@ -298,6 +299,13 @@ class EntityGroups:
             groups.append((name, _KINDS[kind], numbers))
             groups.append((name + "_Nodes", "Node", self.nodes(name)))
         return groups
+
+    def _share_nodes(self, shared):
+        """What has no elements of its own has the nodes of what stands in its place."""
+        for dimension, index in np.unique(shared[:, :2], axis=0):
+            name = "%s%d" % (("Vertex", "Edge", "Face")[dimension], index + 1)
+            nodes = shared[(shared[:, 0] == dimension) & (shared[:, 1] == index), 2]
+            self._nodes[name] = np.union1d(self.nodes(name), self._arrays["node_numbers"][nodes])
 
     def _collect(self, kind, connected, owners, numbers):
         if not len(connected):

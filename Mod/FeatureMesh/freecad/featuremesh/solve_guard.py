@@ -6,14 +6,20 @@ Mystran. Each passes one of the functions below on its way, which are wrapped on
 as ever.
 """
 
+import json
+
 import FreeCAD
 
-from . import analyses, assembled, history, references, results, versions
+from . import analyses, assembled, history, references, reports, resolving, results, versions
 from .errors import UserError
 from .reading import dependencies, describe
+from .user_words import in_words
 from .wrapping import wrap
 
 translate = FreeCAD.Qt.translate
+# What the report says of faces and edges that have no elements, and what acts on nodes, which these share with others.
+_OF_SMALL = ("faces_too_narrow", "faces_joined", "edges_too_short")
+_ON_NODES = ("Fem::ConstraintFixed", "Fem::ConstraintDisplacement", "App::MaterialObject")
 # How the window shows a refusal; None: in the report view.
 tell = None
 
@@ -24,7 +30,8 @@ def reason(analysis):
         return translate("FeatureMesh", "%s has no mesh; let it share %s (api.share_mesh), or give it one of its own") % (
             analysis.Label, _ours_in(analysis.Document)[0].Label)
     for mesh in analyses.meshes_of(analysis) if analysis is not None else ():
-        problem = mesh.Proxy.why_not_to_solve(mesh) or _not_recomputed(mesh) or _clicked_elsewhere(analysis, mesh) if analyses.is_ours(mesh) else ""
+        problem = mesh.Proxy.why_not_to_solve(mesh) or _not_recomputed(mesh) or _clicked_elsewhere(analysis, mesh) \
+            or _without_elements(analysis, mesh) if analyses.is_ours(mesh) else ""
         if problem:
             return problem
     return next((sentence for _, sentence in references.unmended(analysis)), "") if analysis is not None else ""
@@ -56,6 +63,21 @@ def _directly_behind(obj):
 def _clicked_elsewhere(analysis, mesh):
     source = analyses.source_of(mesh)
     return source.Proxy.clicked_elsewhere(source, analysis.Group) if source is not None else ""
+
+
+def _without_elements(analysis, mesh):
+    """A load on nothing but what is too small for elements would be left out of the input."""
+    source = analyses.source_of(mesh)
+    remarks = reports.remarks_of(json.loads(source.Report or "{}")) if source is not None else []
+    small = {name for remark in remarks if remark["code"] in _OF_SMALL
+             for name in remark["parameters"].get("faces", []) + remark["parameters"].get("edges", [])}
+    resolver = resolving.Resolver(versions.part_of(source)) if small else None
+    for member in analysis.Group if small else ():
+        if hasattr(member, "References") and not any(member.isDerivedFrom(kind) for kind in _ON_NODES):
+            names, foreign = resolver.of_object(member)
+            if names and not foreign and small.issuperset(names):
+                return in_words(references.acts_on_nothing(member, names))
+    return ""
 
 
 def _ours_in(document):

@@ -19,7 +19,7 @@ from .messages import said
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _DAMAGED = QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state is damaged ({why:messages})")
-SCHEMA = 2
+SCHEMA = 3
 
 
 def _with_all_arrays(meta, members):
@@ -29,8 +29,13 @@ def _with_all_arrays(meta, members):
     return meta, {**{"array." + name: values for name, values in left_out.items()}, **members, **refined}
 
 
+def _with_shared_nodes(meta, members):
+    """2 to 3: which nodes stand for merged entities was not told; the next mesh does."""
+    return meta, {"array.shared_nodes": np.zeros((0, 3), np.int32), **members}
+
+
 # Schema n -> function that turns the (meta, members) of a file of schema n into those of n + 1.
-MIGRATIONS = {1: _with_all_arrays}
+MIGRATIONS = {1: _with_all_arrays, 2: _with_shared_nodes}
 
 
 @dataclass

@@ -14,6 +14,7 @@ from .hand_over import EntityGroups
 from .materials import material_groups
 from .messages import said
 from .reading import describe
+from .references import acts_on_nothing
 from .resolving import Resolver
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -196,7 +197,7 @@ class _Reader:
         shapes = [self.part.Shape.getElement(name) for name in names]
         whole = sum(shape.Area if kind == "Face" else shape.Length for shape in shapes)
         shares = "statics_area_shares" if kind == "Face" else "statics_length_shares"
-        elements = np.concatenate([self._elements(member, name) for name in names])
+        elements = self._elements(member, names)
         self._load(member, _by_sizes, shares, elements, along / whole)
 
     def _shares_of_vertices(self, member):
@@ -216,7 +217,7 @@ class _Reader:
         names = list(dict.fromkeys(names))
         for name in names:
             self._refuse_inner_face(member, name)
-        elements = np.concatenate([self._elements(member, name) for name in names])
+        elements = self._elements(member, names)
         self._load(member, _by_pressure, elements, value)
 
     def read_self_weight(self, member):
@@ -257,7 +258,13 @@ class _Reader:
                                                                   "another face", member=describe(member), face=[name]))
         return self.row_of[numbers]
 
-    def _elements(self, member, name):
+    def _elements(self, member, names):
+        found = [self._elements_of(member, name) for name in names]
+        if not any(map(len, found)):
+            raise UserError(acts_on_nothing(member, names))
+        return np.concatenate(found)
+
+    def _elements_of(self, member, name):
         self._rows_of(member, name)
         owners = self.arrays["triangle_faces" if name.startswith("Face") else "segment_edges"]
         return np.flatnonzero(owners == int(name.lstrip("FaceEdge")) - 1).astype(np.int32)

@@ -36,8 +36,8 @@
       <translation>Kanten auf einem vollen Kreis jeder gekrümmten Fläche oder Kante; 0: die Größe folgt der Krümmung nicht</translation>
     </message>
     <message>
-      <source>Edges, steps and strips of faces smaller than this get no elements of their own; 0: those below a thousandth of Size where the part cannot be meshed with them; negative: none</source>
-      <translation>Kanten, Absätze und Flächenstreifen, die kleiner sind, bekommen keine eigenen Elemente; 0: solche unter einem Tausendstel von Size, wo das Bauteil mit ihnen nicht vernetzt werden kann; negativ: keine</translation>
+      <source>Edges, steps and strips of faces smaller than this get no elements of their own; 0: those below a thousandth of Size, unless the part cannot be meshed without them; negative: none</source>
+      <translation>Kanten, Absätze und Flächenstreifen, die kleiner sind, bekommen keine eigenen Elemente; 0: solche unter einem Tausendstel von Size, außer wo das Bauteil ohne sie nicht vernetzt werden kann; negativ: keine</translation>
     </message>
     <message>
       <source>Elements across thin walls; 0: sizes do not follow thickness</source>
@@ -1499,6 +1499,10 @@
     <message>
       <source>{object:text} acts along {lost:entities}, which is gone; open it and choose its direction again, the analysis cannot be solved without</source>
       <translation>{object:text} wirkt entlang {lost:entities}, das es nicht mehr gibt; öffnen und die Richtung neu wählen, sonst lässt sich die Analyse nicht lösen</translation>
+    </message>
+    <message>
+      <source>{object:text} acts on {places:entities}, where the mesh has no elements: that is too small for them, or lies on another face; choose another face, or set Ignore below to off</source>
+      <translation>{object:text} wirkt auf {places:entities}, wo das Netz keine Elemente hat, da es dafür zu klein ist oder auf einer anderen Fläche liegt; eine andere Fläche wählen, oder Weglassen unter auf aus stellen</translation>
     </message>
     <message>
       <source>{object:text} has no alias or cell {name:text}{near:messages}</source>
