@@ -99,6 +99,17 @@ class RandomDetails(unittest.TestCase):
     def test_parts_that_were_refused_have_one(self):
         self.check_parts((seed, index, (order,)) for seed, index, order in REFUSED_ONCE)
 
+    def test_a_part_refused_without_its_smallest_details_is_meshed_with_them(self):
+        """A wedge and two blind holes with floors of 0.0047."""
+        new_document()
+        feature = FreeCAD.ActiveDocument.addObject("Part::Feature", "Part")
+        feature.Shape, _ = detailed_part(random.Random("details 41 11"))
+        size = feature.Shape.BoundBox.DiagonalLength / 15
+        options = {"size": size, "min_size": 0.1 * size, "order": 1, "threads": 1, "ignore_below": 0.0}
+        result = in_a_process(lambda: mesh_and_measure(reading.read_document(feature), options, feature.Shape.Volume))
+        self.assertLess(abs(result["share"] - 1), MOST_OFF)
+        self.assertIn("details", result["rounds"])
+
     def test_small_tets_between_short_edges_stay(self):
         """A strip as thin as lettering beside a large block: at its cut corner tets have next to no volume, but are not flat."""
         width, cut, height = 0.1, 0.0046, 0.001
