@@ -38,7 +38,8 @@ _CHOOSE_ANOTHER = {
     "Vertex": QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; choose another vertex, the analysis cannot be solved without"),
     "Solid": QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; choose another solid, the analysis cannot be solved without"),
 }
-_TOO_SMALL = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} acts on {places:entities}, where the mesh has no elements: that is too small for them, or lies on "
+# Of a load on what has no elements in the mesh.
+ACTS_ON_NOTHING = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} acts on {places:entities}, where the mesh has no elements: that is too small for them, or lies on "
                                "another face; choose another face, or set Ignore below to off")
 _CHOOSE_DIRECTION = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} acts along {lost:entities}, which is gone; open it and choose its direction again, the analysis cannot be "
                                       "solved without")
@@ -173,11 +174,6 @@ def unmended(analysis):
                 (member, translate("FeatureMesh", "%s acts along %s, which is gone; open it and choose its direction again") % (
                     member.Label, ", ".join(getattr(member, LOST_ALONG))))
                 for member in analysis.Group if getattr(member, LOST_ALONG, None)]
-
-
-def acts_on_nothing(member, names):
-    """Of a load on what is so small that the mesh has no elements there."""
-    return said(_TOO_SMALL, object=member.Label, places=names)
 
 
 def mend(obj):

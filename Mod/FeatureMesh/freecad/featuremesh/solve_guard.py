@@ -6,19 +6,18 @@ Mystran. Each passes one of the functions below on its way, which are wrapped on
 as ever.
 """
 
-import json
-
 import FreeCAD
+import numpy as np
 
-from . import analyses, assembled, history, references, reports, resolving, results, versions
+from . import analyses, assembled, history, references, resolving, results, versions
 from .errors import UserError
+from .messages import said
 from .reading import dependencies, describe
 from .user_words import in_words
 from .wrapping import wrap
 
 translate = FreeCAD.Qt.translate
-# What the report says of faces and edges that have no elements, and what acts on nodes, which these share with others.
-_OF_SMALL = ("faces_too_narrow", "faces_joined", "edges_too_short")
+# What acts on nodes, which faces and edges without elements share with others.
 _ON_NODES = ("Fem::ConstraintFixed", "Fem::ConstraintDisplacement", "App::MaterialObject")
 # How the window shows a refusal; None: in the report view.
 tell = None
@@ -68,16 +67,21 @@ def _clicked_elsewhere(analysis, mesh):
 def _without_elements(analysis, mesh):
     """A load on nothing but what is too small for elements would be left out of the input."""
     source = analyses.source_of(mesh)
-    remarks = reports.remarks_of(json.loads(source.Report or "{}")) if source is not None else []
-    small = {name for remark in remarks if remark["code"] in _OF_SMALL
-             for name in remark["parameters"].get("faces", []) + remark["parameters"].get("edges", [])}
+    small = _names_without_elements(source.Proxy.arrays(source)) if source is not None else ()
     resolver = resolving.Resolver(versions.part_of(source)) if small else None
     for member in analysis.Group if small else ():
         if hasattr(member, "References") and not any(member.isDerivedFrom(kind) for kind in _ON_NODES):
             names, foreign = resolver.of_object(member)
             if names and not foreign and small.issuperset(names):
-                return in_words(references.acts_on_nothing(member, names))
+                return in_words(said(references.ACTS_ON_NOTHING, object=member.Label, places=names))
     return ""
+
+
+def _names_without_elements(arrays):
+    """Of the edges and faces that share all their nodes with others."""
+    owners = {1: ("Edge", arrays["segment_edges"]), 2: ("Face", arrays["triangle_faces"])}
+    return {owners[dimension][0] + str(index + 1) for dimension, index in np.unique(arrays["shared_nodes"][:, :2], axis=0)
+            if dimension > 0 and index not in owners[dimension][1]}
 
 
 def _ours_in(document):

@@ -14,7 +14,7 @@ from .hand_over import EntityGroups
 from .materials import material_groups
 from .messages import said
 from .reading import describe
-from .references import acts_on_nothing
+from .references import ACTS_ON_NOTHING
 from .resolving import Resolver
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -261,7 +261,7 @@ class _Reader:
     def _elements(self, member, names):
         found = [self._elements_of(member, name) for name in names]
         if not any(map(len, found)):
-            raise UserError(acts_on_nothing(member, names))
+            raise UserError(said(ACTS_ON_NOTHING, object=describe(member), places=names))
         return np.concatenate(found)
 
     def _elements_of(self, member, name):
