@@ -357,14 +357,7 @@ class Stages {
             report_.rounds.push_back({"narrow faces", {}, "the plain size along them", why});
             report_.warnings.push_back(say<Code::narrow_faces_plain>(why));
         }
-        options_.ignored_below = length_to_ignore(part_->brep, options_);
-        auto whole = fill_all(next);
-        if (const auto* refusal = std::get_if<Message>(&whole); refusal && takes_all_details(*refusal))
-            whole = fill_all(next);
-        if (const auto* refusal = std::get_if<Message>(&whole); refusal && tells_of_thin_tets(*refusal)) {
-            report_.rounds.push_back({"thin elements", {}, "they stay", *refusal});
-            whole = fill_all(next, true);
-        }
+        auto whole = fill_whole(next);
         if (const auto* refusal = std::get_if<Message>(&whole)) throw MeshError(*refusal);
         take(std::get<Filled>(std::move(whole)));
         number_all(filled_->mesh, next);
@@ -409,7 +402,30 @@ class Stages {
         }
     }
 
-    std::variant<Filled, Message> fill_all(NextNumbers next, bool takes_thin_tets = false) {
+    /// Without its smallest details, with all of them where it is refused so, and with thin tets as the last resort.
+    std::variant<Filled, Message> fill_whole(NextNumbers next) {
+        std::vector<double> lengths{length_to_ignore(part_->brep, options_)};
+        std::vector<Message> refusals;
+        for (const bool takes_thin_tets : {false, true})
+            for (std::size_t i = 0; i < lengths.size(); ++i) {
+                if (takes_thin_tets && !tells_of_thin_tets(refusals[i])) continue;
+                if (takes_thin_tets)
+                    report_.rounds.push_back({"thin elements", {}, "they stay", refusals[i]});
+                else if (i > 0)
+                    report_.rounds.push_back({"details", {}, "none are ignored", refusals.front()});
+                options_.ignored_below = lengths[i];
+                auto whole = fill_all(next, takes_thin_tets);
+                const auto* refusal = std::get_if<Message>(&whole);
+                if (!refusal) return whole;
+                refusals.push_back(*refusal);
+                if (refusals.size() == 1 && options_.ignore_below == 0 &&
+                    !ignore_the_same(part_->brep, lengths.front(), 0))
+                    lengths.push_back(0);
+            }
+        return refusals[lengths.size() - 1];
+    }
+
+    std::variant<Filled, Message> fill_all(NextNumbers next, bool takes_thin_tets) {
         MeshOptions options = options_;
         options.volume.takes_thin_tets = takes_thin_tets;
         return fill_part(part_->brep, *sizing_, nothing_kept(next), options, adopted_sizes_, report_.rounds, context_);
@@ -417,14 +433,6 @@ class Stages {
 
     static bool tells_of_thin_tets(const Message& refusal) {
         return refusal.code() == Code::thin_elements_remain || refusal.code() == Code::thin_elements_remain_beside;
-    }
-
-    /// Whether the part, refused without its smallest details, may be filled with them.
-    bool takes_all_details(const Message& refusal) {
-        if (options_.ignore_below != 0 || ignore_the_same(part_->brep, options_.ignored_below, 0)) return false;
-        options_.ignored_below = 0;
-        report_.rounds.push_back({"details", {}, "none are ignored", refusal});
-        return true;
     }
 
     bool fill_gaps(const MeshOptions& options, Message& why) {

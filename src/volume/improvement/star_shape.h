@@ -63,8 +63,9 @@ class StarShape {
 
 template <class MayBeAt>
 double StarShape::climb(Vec3& point, double good_enough, std::span<const Vec3> ways, const MayBeAt& may_be_at) const {
-    // a search ends by itself with far fewer calls, but each call may gain by rounding alone
-    constexpr int most_calls = 1000;
+    // a search ends by itself with far fewer calls, but each call may gain by rounding alone; one for a place with a
+    // volume goes on as long as it may get there
+    constexpr int most_calls = 1000, most_slow_calls = 20;
     double best = worst(point);
     double step = 0.2 * mean_distance(point);
     // what hardly has a volume may have to find a place of next to no size
@@ -74,8 +75,10 @@ double StarShape::climb(Vec3& point, double good_enough, std::span<const Vec3> w
             const Vec3 trial = point + share * (middle() - point);
             if (const double value = worst(trial, best); value < best && may_be_at(trial)) best = value, point = trial;
         }
-    for (int i = 0; i < most_calls && step > last && best > good_enough; ++i) {
+    int slow_calls = 0;
+    for (int i = 0; i < most_calls && step > last && best > good_enough && slow_calls < most_slow_calls; ++i) {
         bool is_better = false;
+        const double before = best;
         for (const Vec3& way : ways) {
             const Vec3 trial = point + step * way;
             const double value = worst(trial, best);
@@ -83,6 +86,7 @@ double StarShape::climb(Vec3& point, double good_enough, std::span<const Vec3> w
             best = value, point = trial, is_better = true;
         }
         if (!is_better) step *= 0.5;
+        slow_calls = is_better && before - most_calls * (before - best) > 1 ? slow_calls + 1 : 0;
     }
     return best;
 }
