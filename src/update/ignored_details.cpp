@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "core/ids.h"
+#include "sizing/size_zone.h"
 #include "sizing/sizing_field.h"
 #include "surface/merged_entities.h"
 
@@ -35,11 +36,12 @@ double that_spares_solids(const Brep& brep, double length) {
 }  // namespace
 
 double length_to_ignore(const Brep& brep, const MeshOptions& options) {
-    constexpr double share_of_size = 1e-3, share_of_diagonal = 1e-4;
+    constexpr double share_of_size = 1e-3, share_of_local = 0.02, share_of_diagonal = 1e-4;
     if (options.ignore_below != 0) return std::max(0.0, options.ignore_below);
-    double smallest = options.sizing.size;
-    for (const LocalSize& local : options.sizing.local) smallest = std::min(smallest, local.size);
-    return that_spares_solids(brep, std::min(share_of_size * smallest, share_of_diagonal * brep.tolerances().diagonal));
+    double below = std::min(share_of_size * options.sizing.size, share_of_diagonal * brep.tolerances().diagonal);
+    for (const LocalSize& local : options.sizing.local) below = std::min(below, share_of_local * local.size);
+    for (const SizeZone& zone : options.sizing.zones) below = std::min(below, share_of_local * zone.inner);
+    return that_spares_solids(brep, below);
 }
 
 bool ignore_the_same(const Brep& brep, double length, double other) {

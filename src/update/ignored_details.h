@@ -7,8 +7,8 @@
 
 namespace featuremesh {
 
-/// The length, mm, below which details are ignored: the user's, or what is negligible beside the elements, the part and
-/// the walls of each of its solids.
+/// The length, mm, below which details are ignored: the user's, or what is negligible beside the elements, the smallest
+/// local size, the part and the walls of each of its solids.
 double length_to_ignore(const Brep& brep, const MeshOptions& options);
 
 /// Whether the same details of the part are below the one length as below the other.

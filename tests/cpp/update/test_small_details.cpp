@@ -285,16 +285,22 @@ TEST_CASE("where no detail is below the length the bytes are the same") {
 }
 
 TEST_CASE(
-    "automatically what is below a thousandth of the smallest size asked for is ignored, also where an edit makes it") {
-    MeshOptions automatic = options_of(4), finer = automatic;
-    automatic.ignore_below = 0, finer.ignore_below = 0;
-    finer.sizing.local.push_back({entity_of(FaceId(0)), 2});
+    "automatically what is below a thousandth of the size is ignored, also where an edit makes it, unless a local size "
+    "is nearly as fine") {
+    MeshOptions automatic = options_of(4);
+    automatic.ignore_below = 0;
+    MeshOptions fine = automatic, finer = automatic;
+    fine.sizing.local.push_back({entity_of(VertexId(0)), 0.4});
+    finer.sizing.local.push_back({entity_of(VertexId(0)), 0.1});
     const PartMeshResult plain = meshed(stepped_block(3, 45), automatic);
     const PartMeshResult stepped = updated(*plain.part_mesh, stepped_block(0.003, 45), automatic);
-    const PartMeshResult again = updated(*stepped.part_mesh, stepped_block(0.003, 45), finer);
-    for (const PartMeshResult* result : {&plain, &stepped, &again}) check_valid(*result->part_mesh);
+    const PartMeshResult locally = updated(*stepped.part_mesh, stepped_block(0.003, 45), fine);
+    const PartMeshResult again = updated(*locally.part_mesh, stepped_block(0.003, 45), finer);
+    for (const PartMeshResult* result : {&plain, &stepped, &locally, &again}) check_valid(*result->part_mesh);
     CHECK(stepped.report.kept_nodes_share > 0.3);
     CHECK(stepped.report.quality.min_dihedral > 15);
+    CHECK(locally.report.kept_nodes_share > 0.3);
+    CHECK(locally.report.quality.min_dihedral > 15);
     CHECK(again.report.kept_nodes_share == 0);
     CHECK(again.report.quality.min_dihedral < 5);
 }
