@@ -272,7 +272,7 @@ class Finding(unittest.TestCase):
         for name in ("First", "Second"):
             document.addObject("Part::Box", name)
         document.recompute()
-        with self.assertRaisesRegex(UserError, "First, Second"):
+        with self.assertRaisesRegex(UserError, "mesh: First, Second$"):
             reading.find_meshable(document)
 
     def test_none(self):

@@ -245,7 +245,7 @@ class Tasks(unittest.TestCase):
 
     def test_several_solids(self):
         path = self.save(Part.makeBox(1, 1, 1), Part.makeSphere(2))
-        self.refused("Shape1, Shape2", command="mesh", part=path)
+        self.refused(r"Shape1, Shape2 \(name it with --object\)", command="mesh", part=path)
         self.done(command="mesh", part=path, object="Shape2")
 
     def test_solids_that_overlap_are_meshed_with_a_warning_in_the_console(self):

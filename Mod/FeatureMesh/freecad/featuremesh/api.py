@@ -16,7 +16,7 @@ from . import (adopt, analyses, assembled, difference_drawing, documents, edits,
                recompute_errors, resolving, section, size_zone, solve_guard, solving, statics, statics_result, transfer, versions)
 from . import live_result as live_results
 from .about import facts
-from .errors import StateError, UserError
+from .errors import NotSelected, StateError, UserError
 from .messages import of_error, said
 from .mesh_object import FeatureMesh, is_feature_mesh, options_of, refuse_other
 from .mesh_properties import DIMENSIONS, FROM_SHAPE
@@ -442,8 +442,7 @@ def find_analysis(document, name=None):
         raise UserError(said("the document {document:text} has no analysis{name:text}; add one in FreeCAD's FEM workbench",
                              document=document.Label, name=" " + name if name else ""))
     if len(found) > 1:
-        raise UserError(said("the document has several analyses, select one (in the console, name it with --analysis): {analyses:text}",
-                             analyses=", ".join(reading.describe(obj) for obj in found)))
+        raise NotSelected(said("the document has several analyses, select one: {analyses:text}", analyses=", ".join(map(reading.describe, found))), NotSelected.ANALYSIS)
     return found[0]
 
 
@@ -494,8 +493,7 @@ def find_mesh(document, part_name=None):
         raise UserError(said("the document {document:text} has no mesh{of_part:messages}; make one with `featuremesh mesh`",
                              document=document.Label, of_part=said(" of {part:text}", part=part_name) if part_name else ""))
     if len(meshes) > 1:
-        raise UserError(said("the document has several meshes, select one (in the console, name it with --object): {meshes:text}",
-                             meshes=", ".join(reading.describe(mesh) for mesh in meshes)))
+        raise NotSelected(said("the document has several meshes, select one: {meshes:text}", meshes=", ".join(map(reading.describe, meshes))), NotSelected.OBJECT)
     return meshes[0]
 
 

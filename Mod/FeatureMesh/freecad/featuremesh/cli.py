@@ -46,7 +46,9 @@ def run(task):
 
 def _failure(code, error):
     from freecad.featuremesh import messages
-    return {"exit_code": code, "message": messages.english(messages.of_error(error)), "data": {}}
+    option = getattr(error, "option", None)   # of errors.NotSelected
+    hint = " (name it with %s)" % option if option else ""
+    return {"exit_code": code, "message": messages.english(messages.of_error(error)) + hint, "data": {}}
 
 
 def _find_package():

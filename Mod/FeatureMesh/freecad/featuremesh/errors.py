@@ -19,6 +19,16 @@ class UserError(Said, ValueError):
     """What was asked cannot be done; it says what, where and what to try."""
 
 
+class NotSelected(UserError):
+    """Several objects may be meant, of which one is to be selected; in the console an option names it."""
+
+    OBJECT, ANALYSIS = "--object", "--analysis"
+
+    def __init__(self, said, option):
+        super().__init__(said)
+        self.option = option
+
+
 class _NamedAsTheMesh(type):
 
     title = ""   # of the mesh whose update failed last

@@ -17,7 +17,7 @@ import Part
 import Sketcher
 
 from . import versions
-from .errors import UserError
+from .errors import NotSelected, UserError
 from .messages import close_names, said
 from .properties import (
     document_of, matrix_entries, name_of, objects_out_of, properties_of, property_if_any, property_of, state_of, type_of,
@@ -89,8 +89,8 @@ def find_meshable(document, name=None):
     if not final:
         raise UserError(said("the document {document:text} has no solid to mesh", document=document.Label))
     if len(final) > 1:
-        raise UserError(said("the document has several solids, select one, or the container of those to mesh (in the console, name it with --object): {solids:text}",
-                             solids=", ".join(describe(obj) for obj in final)))
+        raise NotSelected(said("the document has several solids, select one, or the container of those to mesh: {solids:text}",
+                               solids=", ".join(map(describe, final))), NotSelected.OBJECT)
     return final[0]
 
 

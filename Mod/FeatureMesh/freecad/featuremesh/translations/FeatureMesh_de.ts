@@ -1125,12 +1125,20 @@
       <translation>die Platte mit {folder:text} ist voll ({why:messages}); jeder fertige Fall ist gesichert. Platz schaffen, dann mit `study resume` weitermachen</translation>
     </message>
     <message>
-      <source>the document has several analyses, select one (in the console, name it with --analysis): {analyses:text}</source>
-      <translation>das Dokument hat mehrere Analysen, eine auswählen (in der Konsole mit --analysis angeben): {analyses:text}</translation>
+      <source>the document has several analyses, select one: {analyses:text}</source>
+      <translation>das Dokument hat mehrere Analysen, eine auswählen: {analyses:text}</translation>
+    </message>
+    <message>
+      <source>the document has several meshes, select one: {meshes:text}</source>
+      <translation>das Dokument hat mehrere Netze, eines auswählen: {meshes:text}</translation>
     </message>
     <message>
       <source>the document has several results, name one with --result: {results:text}</source>
       <translation>das Dokument hat mehrere Ergebnisse, eines mit --result angeben: {results:text}</translation>
+    </message>
+    <message>
+      <source>the document has several solids, select one, or the container of those to mesh: {solids:text}</source>
+      <translation>das Dokument hat mehrere Volumenkörper, einen auswählen oder den Container derer, die zu vernetzen sind: {solids:text}</translation>
     </message>
     <message>
       <source>the document was closed</source>
@@ -3477,16 +3485,8 @@
       <translation>das Dokument hat kein Objekt {name:text}{near:messages}</translation>
     </message>
     <message>
-      <source>the document has several meshes, select one (in the console, name it with --object): {meshes:text}</source>
-      <translation>das Dokument hat mehrere Netze, eines auswählen (in der Konsole mit --object angeben): {meshes:text}</translation>
-    </message>
-    <message>
       <source>the document has several meshes, select the one to adopt: {meshes:text}</source>
       <translation>das Dokument hat mehrere Netze, das zu übernehmende auswählen: {meshes:text}</translation>
-    </message>
-    <message>
-      <source>the document has several solids, select one, or the container of those to mesh (in the console, name it with --object): {solids:text}</source>
-      <translation>das Dokument hat mehrere Volumenkörper, einen auswählen oder den Container derer, die zu vernetzen sind (in der Konsole mit --object angeben): {solids:text}</translation>
     </message>
     <message>
       <source>the document holds no mesh state</source>
