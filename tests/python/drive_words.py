@@ -4,6 +4,7 @@ import json
 import os
 import sys
 from pathlib import Path
+from unittest import mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
@@ -44,8 +45,11 @@ def check_labels(body, mesh):
     body.Label, mesh.Label = before
 
 
-def check_question(body, mesh):
-    """That of a part that has a mesh already."""
+def check_boxes(body, mesh):
+    """The question about a part that has a mesh already, and an error, name things as they are."""
+    from freecad.featuremesh.errors import UserError
+    from freecad.featuremesh.gui import errors, message_box
+    from freecad.featuremesh.messages import said
     seen = []
 
     def look():
@@ -56,12 +60,15 @@ def check_question(body, mesh):
             box.reject()
     timer = QtCore.QTimer()
     timer.timeout.connect(look)
-    timer.start(50)
     body.Label = ODD
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(body)
-    Gui.runCommand("FeatureMesh_MeshPart")
-    assert seen == [(QtCore.Qt.PlainText, "%s has the mesh %s already." % (ODD, mesh.Label))], seen
+    with mock.patch.object(message_box, "warn", window.shown[0]):
+        for show in (lambda: Gui.runCommand("FeatureMesh_MeshPart"), lambda: errors.show(UserError(said("{part:text} is gone", part=ODD)))):
+            timer.start(50)
+            show()
+            spin()
+    assert seen == [(QtCore.Qt.PlainText, "%s has the mesh %s already." % (ODD, mesh.Label)), (QtCore.Qt.PlainText, ODD + " is gone")], seen
     Gui.Selection.clearSelection()
 
 
@@ -71,8 +78,10 @@ def check_remarks(mesh):
     mesh.Report = json.dumps({**json.loads(report), "warnings": ["remark %d <x>" % number for number in range(1, 6)]})
     mesh.ViewObject.doubleClicked()
     spin()
-    result = panel("MeshPanel").result
+    settings = panel("MeshPanel")
+    result = settings.result
     assert "remark 3" in result.text() and "remark 4" not in result.text() and "and 2 more: let the mouse rest here" in result.text(), result.text()
+    assert result.textFormat() == settings.estimate.textFormat() == QtCore.Qt.PlainText
     assert result.toolTip() == "remark 4 &lt;x><br>remark 5 &lt;x>", result.toolTip()
     close("Cancel")
     mesh.Report = report
@@ -202,7 +211,7 @@ def drive():
     mesh = api.add_mesh(body, 8.0, order=1)
     document.recompute()
     check_labels(body, mesh)
-    check_question(body, mesh)
+    check_boxes(body, mesh)
     check_remarks(mesh)
     check_cut()
     count_in(document, 3)   # inches with decimals

@@ -15,6 +15,7 @@ PICTURES = os.environ.get("FEATUREMESH_PICTURES")
 _TURNS = 5   # of the window's loop, however slow the machine is
 VIEW = slice(240, 740), slice(300, 1180)   # rows and columns of the screen without panels and the navigation cube
 messages = []
+shown = []   # what shows a message to a person, in place of `messages`
 figures = []   # what was measured on the way, told with the result
 
 
@@ -222,7 +223,10 @@ def run(drive):
     result_file = os.environ["FEATUREMESH_RESULT"]
     stuck = open(result_file + ".stuck", "w", encoding="utf-8")
     faulthandler.dump_traceback_later(float(os.environ["FEATUREMESH_SECONDS"]), exit=True, file=stuck)
-    QtGui.QMessageBox.warning = staticmethod(lambda *words: messages.append(words[2]))
+    QtGui.QMessageBox.warning = staticmethod(lambda *words: messages.append(words[2]))   # FreeCAD's
+    from freecad.featuremesh.gui import message_box
+    shown.append(message_box.warn)
+    message_box.warn = messages.append
     try:
         drive()
         result = "\n".join(["ok", *figures])

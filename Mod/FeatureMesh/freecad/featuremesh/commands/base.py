@@ -5,10 +5,11 @@ import contextlib
 
 import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from .. import api, assembled, reading, resolving, versions
 from ..errors import UserError
+from ..gui import message_box
 from ..gui.undo import undo_step
 from ..messages import said
 from ..mesh_object import is_feature_mesh
@@ -59,10 +60,7 @@ class MeshCommand:
 
 def answer(title, text, more, choices, is_risky=False):
     """The key of the choice that was clicked in a message box, the first by default unless that is risky; None for Cancel, or then by default."""
-    box = QtGui.QMessageBox(Gui.getMainWindow())
-    box.setWindowTitle(title)
-    box.setTextFormat(QtCore.Qt.PlainText)   # a label may look like HTML
-    box.setText(text)
+    box = message_box.of_text(title, text)
     box.setInformativeText(more)
     roles = [QtGui.QMessageBox.AcceptRole, QtGui.QMessageBox.ActionRole]
     buttons = {key: box.addButton(choice, role) for (key, choice), role in zip(choices.items(), roles)}

@@ -3,12 +3,12 @@
 
 import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtGui
 
 from .. import log
 from ..mesh_object import is_cancelled
 from ..messages import entities_in, of_error
 from ..user_words import in_words
+from . import message_box
 from .showing import show_part
 
 translate = FreeCAD.Qt.translate
@@ -23,7 +23,7 @@ def show(error, part=None):
     log.write_error(error)
     FreeCAD.Console.PrintError("FeatureMesh: %s\n" % message)
     select_named(error, part)
-    QtGui.QMessageBox.warning(Gui.getMainWindow(), "FeatureMesh", message)
+    message_box.warn(message)
 
 
 def select_named(error, part):

@@ -34,11 +34,8 @@ class LivePanel(ClosesWithObject):
         self.form = QtGui.QWidget()
         narrow.title(self.form, live.Label)
         self.form.setWindowIcon(view_provider.drawn_icon("FeatureMesh_LiveResult"))
-        self.status, self.largest, self.remarks = QtGui.QLabel(), QtGui.QLabel(), QtGui.QLabel()
-        for label in (self.status, self.largest, self.remarks):
-            label.setWordWrap(True)
-        self.legend, self.grey = Legend(), QtGui.QLabel(translate("FeatureMesh", "grey: new nodes, which have no value from before"))
-        self.grey.setWordWrap(True)
+        self.status, self.largest, self.remarks = narrow.Words(), narrow.Words(), narrow.Words()
+        self.legend, self.grey = Legend(), narrow.Words(translate("FeatureMesh", "grey: new nodes, which have no value from before"))
         self._make_fields()
         self.bar, self.button = QtGui.QProgressBar(), QtGui.QPushButton()
         self.bar.setRange(0, 100)

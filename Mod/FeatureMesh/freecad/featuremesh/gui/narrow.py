@@ -25,6 +25,15 @@ def box(chooser):
     chooser.currentTextChanged.connect(tell)
 
 
+class Words(QtGui.QLabel):
+    """A label of as many lines as its words need."""
+
+    def __init__(self, words=""):
+        super().__init__(words)
+        self.setTextFormat(QtCore.Qt.PlainText)   # an object's label in it may look like HTML
+        self.setWordWrap(True)
+
+
 class OneLine(QtGui.QLabel):
     """A label of one line, however narrow; what has no room in its middle is in its tool tip."""
 

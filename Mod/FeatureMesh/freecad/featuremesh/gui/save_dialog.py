@@ -7,6 +7,8 @@ import re
 import FreeCAD
 from PySide import QtGui
 
+from . import message_box
+
 translate = FreeCAD.Qt.translate
 
 
@@ -26,8 +28,6 @@ def ask_for_file(parent, title, proposed, filters, endings):
     else:
         path = stem + wanted if ending == os.path.splitext(proposed)[1] else typed
     if path != typed and os.path.exists(path):
-        answer = QtGui.QMessageBox.question(parent, title, translate("FeatureMesh", "%s is there already. Replace it?") % path,
-                                            QtGui.QMessageBox.Yes | QtGui.QMessageBox.No, QtGui.QMessageBox.No)
-        if answer != QtGui.QMessageBox.Yes:
+        if not message_box.is_agreed(title, translate("FeatureMesh", "%s is there already. Replace it?") % path, parent):
             return None
     return os.path.abspath(path)

@@ -12,7 +12,7 @@ from ..errors import UserError
 from ..study import answers, report, response_words, study_object, table
 from ..study.folder import StudyFolder
 from ..user_words import figure, in_words
-from . import errors
+from . import errors, narrow
 from .save_dialog import ask_for_file
 from .study_plots import PlotTab
 from .undo import undo_step
@@ -63,8 +63,7 @@ class StudyWindow(QtGui.QDialog):
         for tab in self.plots:
             self.tabs.addTab(tab, tab.title)
         self.tabs.addTab(self.table, translate("FeatureMesh", "Cases"))
-        self.note = QtGui.QLabel(translate("FeatureMesh", "A double click on a case shows it: part, mesh and result. Undo takes it back."))
-        self.note.setWordWrap(True)
+        self.note = narrow.Words(translate("FeatureMesh", "A double click on a case shows it: part, mesh and result. Undo takes it back."))
         self.open_button, self.back_button = QtGui.QPushButton(translate("FeatureMesh", "Show the case")), QtGui.QPushButton(translate("FeatureMesh", "As it was"))
         self.report_button, self.export_button = QtGui.QPushButton(translate("FeatureMesh", "Report")), QtGui.QPushButton(translate("FeatureMesh", "Save table"))
         self._lay_out()

@@ -8,6 +8,7 @@ from PySide import QtCore, QtGui
 from .. import tables
 from ..user_words import are_lengths_in_mm, as_shown, in_users_units, in_words
 from ..view_provider import drawn_icon
+from . import narrow
 from .showing import restore, show_part
 
 translate = FreeCAD.Qt.translate
@@ -65,11 +66,9 @@ class _Window(QtGui.QDialog):
         self.tree.setAlternatingRowColors(True)
         self.tree.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
         self.tree.itemSelectionChanged.connect(self._select)
-        label = QtGui.QLabel(note)
-        label.setWordWrap(True)
         layout = QtGui.QVBoxLayout(self)
         layout.addWidget(self.tree)
-        layout.addWidget(label)
+        layout.addWidget(narrow.Words(note))
 
     def shown(self):
         """Opens the window and returns it."""

@@ -101,7 +101,7 @@ class MeshPanel:
         self.automatic.setChecked(self.mesh.Automatic)
         self.automatic.setToolTip(self._tooltip("Automatic"))
         self._choose_details()
-        self.estimate, self.status, self.result = QtGui.QLabel(""), QtGui.QLabel(""), QtGui.QLabel("")
+        self.estimate, self.status, self.result = narrow.Words(), narrow.Words(), narrow.Words()
         for label, widget in ((translate("FeatureMesh", "Size"), self.size),
                               (translate("FeatureMesh", "Smallest"), self.min_automatic),
                               ("", self.min_size),
@@ -177,8 +177,7 @@ class MeshPanel:
         self.working = QtGui.QWidget()
         rows = QtGui.QGridLayout(self.working)
         rows.setContentsMargins(0, 0, 0, 0)
-        self.step = QtGui.QLabel("")
-        self.step.setWordWrap(True)
+        self.step = narrow.Words()
         self.progress = QtGui.QProgressBar()
         self.progress.setRange(0, 100)
         self.stop_button = QtGui.QPushButton(translate("FeatureMesh", "Stop"))
@@ -449,7 +448,7 @@ class MeshPanel:
                              % (mesh.KeptNodes, mesh.KeptTets))
             remarks = [in_words(remark) for remark in remarks_of(json.loads(mesh.Report or "{}"))]
             lines += _first(remarks)
-        self.result.setText("<br>".join(line.replace("<", "&lt;") for line in lines))
+        self.result.setText("\n".join(lines))
         self.result.setToolTip(_rest(remarks))
 
     def _show_status(self):
@@ -458,7 +457,8 @@ class MeshPanel:
         if is_failed and settings != self._told_of or status == UP_TO_DATE and differ_from_mesh(self.mesh, settings):
             status, is_failed = SETTINGS_CHANGED, False
         line = "%s: %s" % (translate("FeatureMesh", "Status"), status_in_words(self.mesh, status))
-        self.status.setText('<span style="color:#c62828">%s</span>' % line.replace("<", "&lt;") if is_failed else line)
+        self.status.setText(line)
+        self.status.setStyleSheet("color: #c62828" if is_failed else "")
 
     # Estimate
 

@@ -44,8 +44,7 @@ class ZonePanel:
         self.place = [self._spin(self.zone.Placement.Base[axis], lambda _, axis=axis: self._move(axis)) for axis in range(3)]
         for axis, widget in zip("XYZ", self.place):
             self.rows.addRow(axis, widget)
-        self.references, choose = QtGui.QLabel(), QtGui.QPushButton(translate("FeatureMesh", "Take what is selected"))
-        self.references.setWordWrap(True)
+        self.references, choose = narrow.Words(), QtGui.QPushButton(translate("FeatureMesh", "Take what is selected"))
         choose.clicked.connect(self._take_selection)
         self.choose = choose
         self.rows.addRow(translate("FeatureMesh", "From"), self.references)
