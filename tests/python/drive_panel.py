@@ -12,9 +12,9 @@ import FreeCADGui as Gui  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from parts import groups_of  # noqa: E402
-from PySide import QtGui  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
 from window import answer_with, button_in_panel, click, click_button_of, click_in_panel  # noqa: E402
-from window import figures, is_whole, panel, picture, report_view, spin, turn_wheel, type_into, wait_for  # noqa: E402
+from window import figures, is_whole, panel, picture, report_view, send_key, spin, turn_wheel, type_into, wait_for  # noqa: E402
 
 
 def names(document):
@@ -255,18 +255,28 @@ def check_undo_while_open(document, mesh):
     assert (mesh.Size.Value, mesh.MinSize.Value, mesh.Growth, mesh.TetCount) == (6.0, 0.6, 1.3, count), (mesh.Size, mesh.MinSize, mesh.Growth)
 
 
-def check_wheel(mesh):
-    """The wheel over a field scrolls the panel and changes no setting, until the field is clicked."""
+def check_keyboard_and_wheel(mesh):
+    """A size can be typed at once. The wheel over a field scrolls the panel and changes no setting, until the field is clicked."""
+    Gui.getMainWindow().activateWindow()
+    wait_for(Gui.getMainWindow().isActiveWindow)
     mesh.ViewObject.doubleClicked()
     spin()
     settings = panel("MeshPanel")
+    before = fields_of(settings)
+    assert settings.form.window().focusWidget() is settings.size, settings.form.window().focusWidget()
+    turn_wheel(settings.size)
+    assert fields_of(settings) == before, fields_of(settings)
+    for letter in "7.5":
+        send_key(settings.size, 0, QtCore.Qt.NoModifier, letter)
+    assert (settings.settings()["Size"], settings.size.property("text")) == (7.5, "7.5 mm"), settings.size.property("text")
+    settings.size.setProperty("rawValue", mesh.Size.Value)
     settings.full_button.setFocus()
     before = fields_of(settings)
     for widget in (settings.size, settings.dimension, settings.order, settings.per_circle, settings.across_gap, settings.growth, settings.details):
         turn_wheel(widget)
         assert fields_of(settings) == before and not widget.hasFocus(), (before, fields_of(settings))
-    with mock.patch.object(settings.growth, "hasFocus", lambda: True):   # without a window manager no window gets the focus
-        turn_wheel(settings.growth)
+    settings.growth.setFocus(QtCore.Qt.MouseFocusReason)   # as a click does
+    turn_wheel(settings.growth)
     assert settings.growth.value() > before[6], settings.growth.value()
     click_in_panel("Cancel")
 
@@ -557,7 +567,7 @@ def drive():
     mesh = check_apply_and_ok(document, body)
     check_details(mesh)
     check_undo_while_open(document, mesh)
-    check_wheel(mesh)
+    check_keyboard_and_wheel(mesh)
     check_units(mesh)
     check_numbers(mesh)
     check_without_part(mesh)

@@ -2,11 +2,10 @@
 """The widget that cuts a mesh open: by a plane across an axis that a slider drags, showing whole elements or the cut filled."""
 
 import FreeCAD
-import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from ..section import AXES, plane_across
-from . import narrow
+from . import freecad_widget, narrow
 
 translate = FreeCAD.Qt.translate
 _STEPS = 400
@@ -26,7 +25,7 @@ class CutBox(QtGui.QGroupBox):
         self.axis.setCurrentIndex(2)
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.slider.setRange(0, _STEPS)
-        self.place = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")   # in the user's units
+        self.place = freecad_widget.made("Gui::QuantitySpinBox")   # in the user's units
         self.place.setProperty("unit", "mm")
         self.place.setProperty("keyboardTracking", False)
         self.place.setMinimumWidth(60)   # the panel may be narrow

@@ -2,10 +2,10 @@
 """The page FeatureMesh in FreeCAD's preferences."""
 
 import FreeCAD
-import FreeCADGui as Gui
 from PySide import QtGui
 
 from .. import engine, preferences
+from . import freecad_widget
 
 translate = FreeCAD.Qt.translate
 
@@ -86,7 +86,7 @@ class PreferencesPage:
         for name, text in (("KeptColour", translate("FeatureMesh", "Kept elements")),
                            ("NewColour", translate("FeatureMesh", "New elements")),
                            ("ActiveColour", translate("FeatureMesh", "Nodes kept as start positions"))):
-            self.colours[name] = Gui.UiLoader().createWidget("Gui::ColorButton")
+            self.colours[name] = freecad_widget.made("Gui::ColorButton")
             self.colours[name].setToolTip(translate("FeatureMesh", "What the colours over the mesh mean when the last update is shown"))
             form.addRow(text, self.colours[name])
         return group

@@ -15,7 +15,7 @@ from ..refusals import part_to_mesh
 from ..reports import remarks_of
 from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, FAILED, NOT_MESHED, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
 from ..messages import of_error, said
-from . import enough_memory, narrow, wheel
+from . import enough_memory, freecad_widget, narrow, wheel
 from .errors import select_named
 from ..user_words import as_shown, in_words
 from .running import RunningJob, step_in_words
@@ -124,10 +124,10 @@ class MeshPanel:
         layout.addWidget(self.full_button)
         layout.addWidget(self.result)
         for label in (self.estimate, self.status, self.result):
-            label.setWordWrap(True)
             label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         layout.addStretch()
-        wheel.scrolls(self.form)
+        self.form.keeper = wheel.scrolls(self.form)
+        self.form.first_fields = self.size, self.min_automatic, self.dimension
 
     def _close_driven_fields(self):
         """What an expression drives cannot be typed: it would be another value again after the next edit."""
@@ -194,7 +194,7 @@ class MeshPanel:
 
     def _length(self, name, length=None):
         """The field of a property, with its value or that length in mm."""
-        widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        widget = freecad_widget.made("Gui::QuantitySpinBox")
         widget.setProperty("unit", "mm")
         widget.setProperty("minimum", 0.0)
         self._write(widget, getattr(self.mesh, name).Value if length is None else length)

@@ -7,7 +7,7 @@ from PySide import QtGui
 
 from .. import api, size_zone, versions
 from ..view_provider import drawn_icon
-from . import errors, narrow, showing, wheel
+from . import errors, freecad_widget, narrow, showing, wheel
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -62,7 +62,7 @@ class ZonePanel:
         self.rows.addRow("", self.suppressed)
 
     def _spin(self, value, changed):
-        widget = Gui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        widget = freecad_widget.made("Gui::QuantitySpinBox")
         widget.setProperty("unit", "mm")
         widget.setProperty("rawValue", value)
         widget.setMinimumWidth(70)
