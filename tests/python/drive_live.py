@@ -19,7 +19,7 @@ import numpy as np  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from PySide import QtGui  # noqa: E402
-from window import click, click_button_of, click_in_panel, figures, is_whole, on_the_screen, panel, picture, pixels, spin, wait_for  # noqa: E402
+from window import click, click_button_of, click_in_panel, figures, is_whole, on_the_screen, panel, picture, pixels, report_view, spin, wait_for  # noqa: E402
 
 
 @contextlib.contextmanager
@@ -290,6 +290,20 @@ def check_analysis_deleted(document, live):
     assert live.Result in document.Analysis.Group, [obj.Name for obj in document.Analysis.Group]
 
 
+def check_copy(document, live):
+    """A copy with all that it needs is in no analysis, which it says; undo takes all of it away."""
+    count = len(document.Objects)
+    document.openTransaction("Paste")
+    document.copyObject(live, True)
+    document.commitTransaction()
+    spin()
+    copy, = [obj for obj in document.Objects[count:] if obj.Name.startswith("Live") and hasattr(obj, "MaxMises")]
+    assert "belongs to no analysis" in copy.Status, copy.Status
+    Gui.runCommand("Std_Undo")
+    spin()
+    assert len(document.Objects) == count and "Traceback" not in report_view(), report_view()
+
+
 def check_free_motion(document, live_panel, live):
     """A support that is missing is said with the motion, and the motion is drawn."""
     from freecad.featuremesh import live_result
@@ -511,6 +525,7 @@ def drive():
     check_edits_on_the_way(document, live, mesh)
     check_cancel(document, shown, live)
     check_analysis_deleted(document, live)
+    check_copy(document, live)
     check_free_motion(document, shown, live)
     check_ten_nodes(document, shown, live, mesh)
     check_freecads_own(document, shown, live)

@@ -233,6 +233,19 @@ class Live(Case):
         with self.assertRaisesRegex(UserError, "belongs to no analysis"):
             live.Proxy.finish(live, job)
 
+    def test_without_an_analysis_it_says_so_and_is_solved_in_the_next_one(self):
+        _, analysis, live = self.cantilever()
+        copy = self.document.copyObject(live, True)
+        copy = next(obj for obj in copy if live_result.is_live_result(obj)) if isinstance(copy, (list, tuple)) else copy
+        self.assertIn("belongs to no analysis; drag it into one", copy.Status)
+        analysis.removeObject(live)
+        self.assertIn("belongs to no analysis", live.Status)
+        self.document.recompute()
+        self.assertIn("belongs to no analysis", live.Status)
+        analysis.addObject(live)
+        self.document.recompute()
+        self.check_is_fresh(analysis, live)
+
     def test_why_it_failed_is_in_the_users_language(self):
         part, analysis, live = self.cantilever()
         for refer, english, german in (

@@ -74,6 +74,7 @@ class LiveResult:
     def execute(self, live):
         """Called by recompute, when the mesh or anything of the analysis changed."""
         if self.analysis(live) is None:
+            self._tell_of_no_analysis(live)
             return
         self.set_status(live, OUT_OF_DATE)
         if not live.Automatic:
@@ -91,6 +92,7 @@ class LiveResult:
         self._get_ready(live)
         if live.Status in (SOLVING, FIRST_SOLVING):
             self.set_status(live, OUT_OF_DATE)
+        self._tell_of_no_analysis(live)   # a copy is in none
 
     def dumps(self):
         return {"Type": self.Type}
@@ -210,6 +212,13 @@ class LiveResult:
             live.Members = members
             self.is_changed = True
             _outdate(live)
+            self._tell_of_no_analysis(live)
+
+    def _tell_of_no_analysis(self, live):
+        try:
+            self._own_analysis(live)
+        except UserError as error:
+            self.fail(live, error)
 
     def _own_analysis(self, live):
         analysis = self.analysis(live)
@@ -322,8 +331,9 @@ class _Observer:
         if FreeCAD.isRestoring() or name in _OF_NO_CONCERN:
             return
         if name == "Group" and obj.isDerivedFrom("Fem::FemAnalysis"):
-            for live in filter(is_live_result, obj.Group):
-                live.Proxy.take_members(live)
+            for live in filter(is_live_result, obj.Document.Objects):
+                if live in obj.Group or live.Proxy.analysis(live) is None:   # it may have left this one
+                    live.Proxy.take_members(live)
             return
         is_mesh = mesh_object.is_feature_mesh(obj)
         if is_mesh and name not in _OF_THE_MESH or statics_model.is_result(obj):

@@ -87,7 +87,8 @@ class _Observer:
 
     def slotDeletedObject(self, obj):
         if obj.Visibility and (is_feature_mesh(obj) or is_live_result(obj)) or any(live.Visibility for live in _live_results_of(obj)):
-            choices = [[hidden.Name for hidden in choice] for choice in _hidden_behind(obj)]
+            # Undo may have taken away some of these before, and they have no name then.
+            choices = [[there.Name for there in obj.Document.Objects if there in hidden] for hidden in _hidden_behind(obj)]
             place = obj.Document.Name, obj.Name
             QtCore.QTimer.singleShot(0, lambda: self._show(place, choices))   # what is shown belongs to no step of undo
 
