@@ -15,6 +15,10 @@ translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
+# FEM's refinements; those of later versions, too.
+_FEMS_OWN = ("Fem::MeshRegion", "Fem::MeshRefinement", "Fem::MeshDistance", "Fem::MeshShape")
+
+
 @dataclass
 class Refinements:
     """What a mesh is to be refined by."""
@@ -26,6 +30,14 @@ class Refinements:
         """("Face12", size in mm, name of the refinement) for all that refines around faces, edges and vertices."""
         near = [(name, wish["inner"], obj) for wish, obj in self.zones for name in wish.get("entities", ())]
         return [(name, size, describe(obj)) for name, size, obj in self.local + near]
+
+
+def list_for(obj):
+    """The property of a mesh object in which a refinement or a mesh group is listed; None for anything else."""
+    kind = getattr(getattr(obj, "Proxy", None), "Type", "")
+    if kind == "Fem::MeshGroup":
+        return "MeshGroupList"
+    return "MeshRegionList" if kind in _FEMS_OWN or size_zone.is_zone(obj) else None
 
 
 def read(mesh, part, raw=None):

@@ -5,7 +5,7 @@ import os
 
 import FreeCADGui as Gui
 
-from . import commands, mesh_object
+from . import commands, mesh_object, refinements
 from .gui.edited_in_panel import EditedInPanel
 
 # Called as (mesh, property) when a property of a mesh object has changed.
@@ -75,6 +75,27 @@ class ViewFeatureMesh(EditedInPanel):
     def claimChildren(self):
         mesh = getattr(self, "Object", None)
         return list(mesh.MeshRegionList) + list(mesh.MeshGroupList) if mesh is not None else []
+
+    # What can be dragged from a mesh in the tree to another, and a copy, which is in none, to one.
+
+    def canDragObjects(self):
+        return True
+
+    canDropObjects = canDragObjects
+
+    def canDragObject(self, obj):
+        return obj in self.claimChildren()
+
+    def canDropObject(self, obj):
+        return refinements.list_for(obj) is not None and obj not in self.claimChildren()
+
+    def dragObject(self, view, obj):
+        name = refinements.list_for(obj)
+        setattr(view.Object, name, [other for other in getattr(view.Object, name) if other is not obj])
+
+    def dropObject(self, view, obj):
+        name = refinements.list_for(obj)
+        setattr(view.Object, name, getattr(view.Object, name) + [obj])
 
     def setupContextMenu(self, view, menu):
         """Puts commands that work on the mesh into its menu in the tree, where it is selected."""
