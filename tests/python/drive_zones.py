@@ -7,6 +7,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import numpy as np  # noqa: E402
+import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from parts import new_document, plate_with_hole  # noqa: E402
 from window import click, click_button_of, click_in_panel, panel, picture, pixels, spin, wait_for  # noqa: E402
@@ -148,6 +149,40 @@ def check_distance(document, body, mesh):
     assert mesh.Status == "up to date", mesh.Status
 
 
+def check_dragged(document, body, mesh):
+    """A copy of a zone is in no mesh until it is dragged to one; what a mesh has can be dragged to another, also from FEM's mesh of Gmsh, as FEM's users do."""
+    theirs = ObjectsFem.makeMeshGmsh(document, "Gmsh")
+    region = ObjectsFem.makeMeshRegion(document, theirs, 1.5)
+    region.References = [(body, "Face1")]
+    zone, view = mesh.MeshRegionList[0], mesh.ViewObject
+    copy = document.copyObject(zone)
+    copy.Suppressed = False
+    assert [view.canDropObject(obj) for obj in (copy, region, zone, body)] == [True, True, False, False] and view.canDragObject(zone) and not view.canDragObject(body)
+    for obj, source in ((copy, None), (region, theirs)):
+        count = mesh.TetCount
+        if source is not None:
+            source.ViewObject.dragObject(obj)
+        view.dropObject(obj)
+        document.recompute()
+        assert obj in mesh.MeshRegionList and mesh.TetCount > count and mesh.Status == "up to date", (obj.Name, mesh.TetCount, count)
+    count = mesh.TetCount
+    view.dragObject(copy)
+    document.recompute()
+    assert copy not in mesh.MeshRegionList and mesh.TetCount < count, (mesh.TetCount, count)
+
+
+def check_panel_is_open(document, mesh):
+    """A double click says that a panel is open, unless it is that of what was clicked."""
+    zone, count = mesh.MeshRegionList[0], len(window.messages)
+    open_again(zone)
+    zone.ViewObject.doubleClicked()
+    assert len(window.messages) == count, window.messages
+    mesh.ViewObject.doubleClicked()
+    assert window.messages[count:] == ["FeatureMesh cannot be opened while a panel is open; close that first"], window.messages
+    assert panel("ZonePanel").zone is zone
+    click_in_panel("Cancel")
+
+
 def drive():
     from freecad.featuremesh import api
     document = new_document("Zones")
@@ -164,6 +199,8 @@ def drive():
     check_sphere(document, mesh)
     check_double_click(document, mesh)
     check_distance(document, body, mesh)
+    check_panel_is_open(document, mesh)
+    check_dragged(document, body, mesh)
     assert FreeCAD.ActiveDocument is document
 
 

@@ -67,4 +67,4 @@ class Command(MeshCommand):
 
 def _open(mesh):
     if not Gui.getDocument(mesh.Document).setEdit(mesh.Name):
-        raise UserError(said("the settings of {mesh:text} cannot be opened; close the open panel first", mesh=mesh.Label))
+        raise UserError(said("{object:text} cannot be opened while a panel is open; close that first", object=mesh.Label))

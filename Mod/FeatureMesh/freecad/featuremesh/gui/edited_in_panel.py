@@ -3,11 +3,14 @@
 
 import FreeCADGui as Gui
 
+from ..errors import UserError
+from ..messages import said
 from ..proxies import View
+from . import errors
 
 
 class EditedInPanel(View):
-    """A double click opens the panel that `panel_of` gives, unless another one is open."""
+    """A double click opens the panel that `panel_of` gives, or says that another one is open."""
 
     def panel_of(self, obj):
         raise NotImplementedError
@@ -24,8 +27,11 @@ class EditedInPanel(View):
 
     def doubleClicked(self, view):
         document = Gui.getDocument(view.Object.Document)
-        if not document.getInEdit():
+        edited = document.getInEdit()
+        if not Gui.Control.activeDialog():
             document.setEdit(view.Object.Name)
+        elif edited is None or edited.Object is not view.Object:
+            errors.show(UserError(said("{object:text} cannot be opened while a panel is open; close that first", object=view.Object.Label)))
         return True
 
 

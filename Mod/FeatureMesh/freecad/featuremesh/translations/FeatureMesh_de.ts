@@ -1513,6 +1513,10 @@
       <translation>{object:text} wirkt auf {places:entities}, wo das Netz keine Elemente hat, da es dafür zu klein ist oder auf einer anderen Fläche liegt; eine andere Fläche wählen, oder Weglassen unter auf aus stellen</translation>
     </message>
     <message>
+      <source>{object:text} cannot be opened while a panel is open; close that first</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>{object:text} has no alias or cell {name:text}{near:messages}</source>
       <translation>{object:text} hat keinen Alias und keine Zelle {name:text}{near:messages}</translation>
     </message>
@@ -3635,10 +3639,6 @@
     <message>
       <source>the saved mesh state is from a newer FeatureMesh ({program:text}, schema {schema:count}; this one reads up to {newest:count})</source>
       <translation>der gespeicherte Netzzustand ist von einem neueren FeatureMesh ({program:text}, Schema {schema:count}; dieses liest bis {newest:count})</translation>
-    </message>
-    <message>
-      <source>the settings of {mesh:text} cannot be opened; close the open panel first</source>
-      <translation>die Einstellungen von {mesh:text} lassen sich nicht öffnen; erst das offene Fenster schließen</translation>
     </message>
     <message>
       <source>the shape touches itself: nodes of {faces:entities} lie in the same place, such as {place:point}; repair it there (Part: Check geometry)</source>
