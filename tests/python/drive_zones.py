@@ -157,6 +157,10 @@ def check_dragged(document, body, mesh):
     zone, view = mesh.MeshRegionList[0], mesh.ViewObject
     copy = document.copyObject(zone)
     copy.Suppressed = False
+    settings = open_again(copy)
+    assert "This is in no mesh" in settings.rows.itemAt(0).widget().text() and not settings.choose.isEnabled()
+    picture("zone_in_no_mesh")
+    click_in_panel("Cancel")
     assert [view.canDropObject(obj) for obj in (copy, region, zone, body)] == [True, True, False, False] and view.canDragObject(zone) and not view.canDragObject(body)
     for obj, source in ((copy, None), (region, theirs)):
         count = mesh.TetCount
@@ -169,6 +173,20 @@ def check_dragged(document, body, mesh):
     view.dragObject(copy)
     document.recompute()
     assert copy not in mesh.MeshRegionList and mesh.TetCount < count, (mesh.TetCount, count)
+
+
+def check_expression(mesh):
+    """What an expression drives is not typed in the panel."""
+    zone = mesh.MeshRegionList[0]
+    for path in ("InnerSize", "Placement.Base.y"):
+        zone.setExpression(path, "1.5 mm")
+    mesh.Document.recompute()
+    settings = open_again(zone)
+    closed = [widget for widget in (*settings.place, *settings.lengths.values()) if not widget.isEnabled()]
+    assert closed == [settings.place[1], settings.lengths["InnerSize"]] and all("drives this" in widget.toolTip() for widget in closed), closed
+    click_in_panel("Cancel")
+    for path in ("InnerSize", "Placement.Base.y"):
+        zone.setExpression(path, None)
 
 
 def check_panel_is_open(document, mesh):
@@ -199,6 +217,7 @@ def drive():
     check_sphere(document, mesh)
     check_double_click(document, mesh)
     check_distance(document, body, mesh)
+    check_expression(mesh)
     check_panel_is_open(document, mesh)
     check_dragged(document, body, mesh)
     assert FreeCAD.ActiveDocument is document

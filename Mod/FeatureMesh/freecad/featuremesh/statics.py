@@ -29,7 +29,7 @@ def mesh_of(analysis):
     meshes = [member for member in statics_model.members_of(analysis)
               if member.isDerivedFrom("Fem::FemMeshObject") and not member.Name.startswith("ResultMesh")]
     if len(meshes) != 1 or analyses.source_of(meshes[0]) is None:
-        raise NotUnderstood(said("the live solver needs one mesh of FeatureMesh in the analysis {analysis:text}: select its part, and Mesh a part",
+        raise NotUnderstood(said("the live solver needs one mesh of FeatureMesh in the analysis {analysis:text}: select its part, and Mesh a part, or drag its mesh there",
                                   analysis=describe(analysis)))
     return analyses.source_of(meshes[0])
 

@@ -15,7 +15,7 @@ from ..refusals import part_to_mesh
 from ..reports import remarks_of
 from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, FAILED, NOT_MESHED, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
 from ..messages import of_error, said
-from . import enough_memory, freecad_widget, narrow, wheel
+from . import driven, enough_memory, freecad_widget, narrow, wheel
 from .errors import select_named
 from ..user_words import as_shown, in_words
 from .running import RunningJob, step_in_words
@@ -130,18 +130,10 @@ class MeshPanel:
         self.form.first_fields = self.size, self.min_automatic, self.dimension
 
     def _close_driven_fields(self):
-        """What an expression drives cannot be typed: it would be another value again after the next edit."""
-        widgets = {"Size": (self.size,), "MinSize": (self.min_size, self.min_automatic), "ElementsPerCircle": (self.per_circle,),
-                   "ElementsAcrossGap": (self.across_gap,), "Growth": (self.growth,), "Order": (self.order,), "Dimension": (self.dimension,),
-                   "IgnoreBelow": (self.details, self.ignore_below), "Automatic": (self.automatic,)}
-        for name, expression in self._driven().items():
-            for widget in widgets.get(name, ()):
-                widget.setEnabled(False)
-                widget.setToolTip(translate("FeatureMesh", "The expression %s drives this; change it in the property editor") % expression)
-
-    def _driven(self):
-        """{property: the expression that drives it}."""
-        return {path.lstrip("."): expression for path, expression in self.mesh.ExpressionEngine}
+        driven.close(self.mesh, {
+            "Size": (self.size,), "MinSize": (self.min_size, self.min_automatic), "ElementsPerCircle": (self.per_circle,),
+            "ElementsAcrossGap": (self.across_gap,), "Growth": (self.growth,), "Order": (self.order,), "Dimension": (self.dimension,),
+            "IgnoreBelow": (self.details, self.ignore_below), "Automatic": (self.automatic,)})
 
     def _choose_details(self):
         """Which details get no elements of their own; a length has a field of its own below."""
@@ -290,8 +282,8 @@ class MeshPanel:
 
     def apply_settings(self):
         """The panel's values into the object's properties, those that differ, as one undo step."""
-        driven = self._driven()
-        changed = {name: value for name, value in self._wanted().items() if name not in driven and self._differs(name, value)}
+        closed = driven.expressions_of(self.mesh)
+        changed = {name: value for name, value in self._wanted().items() if name not in closed and self._differs(name, value)}
         if not changed:
             return
         with self._undo_step(translate("FeatureMesh", "Mesh settings")):

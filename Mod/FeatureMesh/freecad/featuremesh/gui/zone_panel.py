@@ -7,7 +7,7 @@ from PySide import QtGui
 
 from .. import api, size_zone, versions
 from ..view_provider import drawn_icon
-from . import errors, freecad_widget, narrow, showing, wheel
+from . import driven, errors, freecad_widget, narrow, showing, wheel
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -31,11 +31,14 @@ class ZonePanel:
         narrow.title(self.form, zone.Label)
         self.form.setWindowIcon(drawn_icon("FeatureMesh_AddSizeZone"))
         self._build()
+        self._close_driven_fields()
         wheel.scrolls(self.form)
         self._show_rows()
 
     def _build(self):
         self.rows = QtGui.QFormLayout(self.form)
+        if self.mesh is None:
+            self.rows.addRow(narrow.Words(translate("FeatureMesh", "This is in no mesh. Drag it to one in the tree.")))
         self.kind = QtGui.QComboBox()
         self.kind.addItems([translate("FeatureMesh", kind) for kind in size_zone.KINDS])
         self.kind.setCurrentIndex(size_zone.KINDS.index(self.zone.Kind))
@@ -47,6 +50,7 @@ class ZonePanel:
         self.references, choose = narrow.Words(), QtGui.QPushButton(translate("FeatureMesh", "Take what is selected"))
         choose.clicked.connect(self._take_selection)
         self.choose = choose
+        choose.setEnabled(self.mesh is not None)
         self.rows.addRow(translate("FeatureMesh", "From"), self.references)
         self.rows.addRow("", choose)
         self.lengths = {}
@@ -60,6 +64,11 @@ class ZonePanel:
         self.suppressed.setChecked(self.zone.Suppressed)
         self.suppressed.toggled.connect(lambda checked: setattr(self.zone, "Suppressed", checked))
         self.rows.addRow("", self.suppressed)
+
+    def _close_driven_fields(self):
+        driven.close(self.zone, {
+            "Kind": (self.kind,), "Suppressed": (self.suppressed,), "Placement": self.place, "Placement.Base": self.place,
+            **{"Placement.Base." + axis: (widget,) for axis, widget in zip("xyz", self.place)}, **{name: (widget,) for name, widget in self.lengths.items()}})
 
     def _spin(self, value, changed):
         widget = freecad_widget.made("Gui::QuantitySpinBox")

@@ -587,6 +587,10 @@
       <translation>Diese Eckpunkte liegen auf ein Millionstel der Bauteilgröße genau an einem anderen und teilen sich dessen Knoten: {vertices:entities}.</translation>
     </message>
     <message>
+      <source>This is in no mesh. Drag it to one in the tree.</source>
+      <translation>Dies ist in keinem Netz. Im Baum auf eines ziehen.</translation>
+    </message>
+    <message>
       <source>What matters</source>
       <translation>Was wichtig ist</translation>
     </message>
@@ -1177,8 +1181,8 @@
       <translation>der mitlaufende Löser braucht PETSc: {why:messages}</translation>
     </message>
     <message>
-      <source>the live solver needs one mesh of FeatureMesh in the analysis {analysis:text}: select its part, and Mesh a part</source>
-      <translation>der mitlaufende Löser braucht genau ein Netz von FeatureMesh in der Analyse {analysis:text}: das Bauteil auswählen und „Bauteil vernetzen“</translation>
+      <source>the live solver needs one mesh of FeatureMesh in the analysis {analysis:text}: select its part, and Mesh a part, or drag its mesh there</source>
+      <translation>der mitlaufende Löser braucht genau ein Netz von FeatureMesh in der Analyse {analysis:text}: das Bauteil auswählen und „Bauteil vernetzen“, oder sein Netz dorthin ziehen</translation>
     </message>
     <message>
       <source>the mass needs a {what:messages} for all of the part, and {count:count} {count:element has|elements have} none</source>
