@@ -246,6 +246,13 @@ class Live(Case):
         self.document.recompute()
         self.check_is_fresh(analysis, live)
 
+    def test_of_a_mesh_that_could_not_be_read_it_is_out_of_date(self):
+        _, _, live = self.cantilever()
+        live.Members = [member for member in live.Members if not mesh_object.is_feature_mesh(member)]
+        live.Status = live_result.UP_TO_DATE
+        live.Proxy.onDocumentRestored(live)
+        self.assertEqual(live.Status, live_result.OUT_OF_DATE)
+
     def test_why_it_failed_is_in_the_users_language(self):
         part, analysis, live = self.cantilever()
         for refer, english, german in (

@@ -90,7 +90,7 @@ class LiveResult:
     def onDocumentRestored(self, live):
         self._forget()
         self._get_ready(live)
-        if live.Status in (SOLVING, FIRST_SOLVING):
+        if live.Status in (SOLVING, FIRST_SOLVING) or live.Status == UP_TO_DATE and self.mesh(live) is None:   # an older FreeCAD could not read the mesh
             self.set_status(live, OUT_OF_DATE)
         self._tell_of_no_analysis(live)   # a copy is in none
 
