@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a person selects wrongly, or not at all, before a command: each says what to do, or takes what is meant. Run by test_window.py."""
+import contextlib
 import os
 import sys
+import threading
+from unittest import mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FemGui  # noqa: E402
@@ -218,6 +221,66 @@ def check_expression(document, mesh):
     mesh.setExpression("Size", None)
 
 
+@contextlib.contextmanager
+def mesher_waits():
+    """A mesh that a panel begins within is done after that, however fast the mesher is."""
+    from freecad.featuremesh.job import MeshJob
+    may_end, as_it_is = threading.Event(), MeshJob.run
+
+    def run(job, progress=None):
+        if threading.current_thread() is not threading.main_thread() and waits:
+            may_end.wait()
+        return as_it_is(job, progress)
+    waits = [True]
+    with mock.patch.object(MeshJob, "run", run):
+        try:
+            yield waits
+        finally:
+            may_end.set()
+
+
+def check_overtaken(document, mesh):
+    """The part is edited, or what was set is undone, while the panel's mesh is being made: that is not taken for the mesh of the part as it is."""
+    from freecad.featuremesh import versions
+    part = document.Plate
+    for size, height, automatic in ((5.0, 12, True), (5.5, 14, False), (6.0, 10, True)):
+        mesh.ViewObject.doubleClicked()
+        spin()
+        settings = panel("MeshPanel")
+        settings.size.setProperty("rawValue", size)
+        settings.automatic.setChecked(automatic)
+        with mesher_waits() as waits:
+            click_in_panel("Apply")
+            assert settings.running is not None
+            waits.clear()   # what the recompute itself begins
+            part.Length = height
+            document.recompute()
+        wait_for(lambda: settings.running is None)
+        assert (mesh.Size.Value, mesh.Status) == (size, "up to date") and abs(mesh.FemMesh.BoundBox.ZMax - height) < 1e-9, (mesh.Status, mesh.FemMesh.BoundBox)
+        assert not settings.working.isVisible()
+        close_panel()
+    count = mesh.TetCount
+    mesh.ViewObject.doubleClicked()
+    spin()
+    settings = panel("MeshPanel")
+    settings.size.setProperty("rawValue", 3.0)
+    with mesher_waits():
+        click_in_panel("Apply")
+        Gui.runCommand("Std_Undo")
+    wait_for(lambda: settings.running is None)
+    assert (mesh.Size.Value, mesh.TetCount, mesh.Status) == (6.0, count, "up to date"), (mesh.Size, mesh.TetCount, mesh.Status)
+    with mesher_waits():
+        settings.size.setProperty("rawValue", 4.0)
+        click_in_panel("Apply")
+        setattr(mesh, versions.part_property(mesh), None)
+    wait_for(lambda: settings.running is None)
+    assert "has no part to mesh" in settings.status.text(), settings.status.text()
+    close_panel()
+    setattr(mesh, versions.part_property(mesh), document.Body)
+    mesh.Size = 6
+    document.recompute()
+
+
 def check_frozen(document, part, mesh):
     """A script sets the length of a part that FreeCAD's command froze: the shape changes, and FreeCAD asks for no recompute."""
     select((part,))
@@ -264,6 +327,7 @@ def drive():
     check_what_has_no_part(document, body, mesh)
     check_adopted_beside_ours(document, analysis, mesh)
     check_expression(document, mesh)
+    check_overtaken(document, mesh)
     other = document.addObject("Part::Box", "Other")
     other.Placement.Base.z = 50
     document.recompute()

@@ -28,6 +28,7 @@ class MeshJob:
         self.report = None
         self.shape = None         # the part's, as FreeCAD has it
         self.settings = None      # the mesh object's when the job was made
+        self.begun_at = None      # which saved state it had then, see overtaken.py
         self.seconds = {}
         self.next_numbers = (1, 1)   # of nodes and elements, for a mesh from scratch
 

@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import analyses, api, log, reading, versions, view_provider
+from .. import analyses, api, log, overtaken, reading, versions, view_provider
 from ..mesh_object import is_cancelled
 from ..refusals import part_to_mesh
 from ..reports import remarks_of
@@ -42,6 +42,7 @@ class MeshPanel:
         self._unmeshed_settings = {}
         self._is_taking_back = False
         self._close_when_done = False
+        self._is_full = False
         self.running = None
         self.job = None
         self._estimate = None
@@ -299,8 +300,12 @@ class MeshPanel:
         return contextlib.nullcontext() if self.is_new else undo_step(self.mesh.Document, title)
 
     def start(self, full):
-        """Starts meshing; the window stays alive."""
+        """Starts meshing with what is set; the window stays alive."""
         self.apply_settings()
+        self._begin(full)
+
+    def _begin(self, full):
+        self._is_full = full
         self._compute_part()
         try:
             api.check_size(self.mesh.Size.Value, part_to_mesh(self.mesh))
@@ -311,6 +316,7 @@ class MeshPanel:
         if self.job is None:
             self._close_when_done = False
             return
+        overtaken.note(self.mesh, self.job)
         self.running = RunningJob(self.job)
         self._set_running(True)
         self._timer.start(_POLL_MS)
@@ -377,7 +383,14 @@ class MeshPanel:
         try:
             if error is not None:
                 raise error
-            self._finish()
+            if not overtaken.is_overtaken(self.mesh, self.job):
+                self._finish()
+            elif self.mesh.Status != UP_TO_DATE:
+                self._begin(self._is_full)
+                if self.running is not None:
+                    return
+            else:
+                self._show_result()
         except Exception as problem:
             self._failed(problem)
         self.job = None
