@@ -1518,7 +1518,7 @@
     </message>
     <message>
       <source>{object:text} cannot be opened while a panel is open; close that first</source>
-      <translation type="unfinished" />
+      <translation>{object:text} lässt sich nicht öffnen, solange ein Fenster offen ist; dieses erst schließen</translation>
     </message>
     <message>
       <source>{object:text} has no alias or cell {name:text}{near:messages}</source>
