@@ -104,9 +104,10 @@ SolidLocator::SolidLocator(const Brep& brep) : data_(std::make_unique<Data>()) {
 }
 SolidLocator::~SolidLocator() = default;
 
-SolidId SolidLocator::solid_at(const Vec3& p) const {
+SolidId SolidLocator::solid_at(const Vec3& p, std::span<const char> may_be) const {
     for (std::size_t s = 0; s < data_->probes.size(); ++s)
-        if (data_->probes[s]->containment_of(p) == Containment::inside) return SolidId(s);
+        if ((may_be.empty() || may_be[s]) && data_->probes[s]->containment_of(p) == Containment::inside)
+            return SolidId(s);
     return SolidId();
 }
 

@@ -4,6 +4,7 @@
 
 #include <TopoDS_Shape.hxx>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "brep/brep.h"
@@ -40,7 +41,8 @@ class SolidLocator {
   public:
     explicit SolidLocator(const Brep& brep);
     ~SolidLocator();
-    SolidId solid_at(const Vec3& p) const;  ///< none outside or on the boundary
+    /// None outside or on the boundary. `may_be`: by solid, not to be looked at where 0 (empty: all are).
+    SolidId solid_at(const Vec3& p, std::span<const char> may_be = {}) const;
 
   private:
     struct Data;

@@ -57,6 +57,7 @@ KeptTets::KeptTets(const Mesh& old, std::span<const std::int32_t> motions, std::
         for (std::size_t t = 0; t < is_kept_.size(); ++t) is_kept_[t] = stays(t);
     mark_rim();
     if (drop_frayed()) mark_rim();
+    find_successors(old_brep, new_brep);
     if (settle_at_rim(new_brep)) return;
     settle_everywhere(new_brep);
     mark_rim();
@@ -145,6 +146,27 @@ bool KeptTets::drop_frayed() {
     return is_any;
 }
 
+// Solids may overlap, so a point may be in several. A new solid with faces of old ones takes the tets of these alone.
+void KeptTets::find_successors(const Brep& old_brep, const Brep& new_brep) {
+    std::vector<char> has_old_faces(new_brep.solid_count(), 0);
+    successors_.assign(solid_count_ * regions_.size(), has_old_faces);
+    for (std::size_t r = 0; r < regions_.size(); ++r)
+        for (std::size_t f = 0; f < regions_[r].new_face_of.size(); ++f) {
+            const FaceId now = regions_[r].new_face_of[f];
+            if (!now.is_valid()) continue;
+            for (const SolidId is : new_brep.solids_beside(now))
+                for (const SolidId was : old_brep.solids_beside(FaceId(f)))
+                    if (is.is_valid() && was.is_valid())
+                        has_old_faces[is.index()] = successors_[was.index() * regions_.size() + r][is.index()] = 1;
+        }
+    for (std::vector<char>& may_be : successors_)
+        for (std::size_t s = 0; s < may_be.size(); ++s) may_be[s] |= !has_old_faces[s];
+}
+
+SolidId KeptTets::solid_at_centre(std::size_t tet, const SolidLocator& locator) const {
+    return locator.solid_at(carried_centre(tet), successors_[group_of(tet)]);
+}
+
 // Finds the new solid of all kept tets from points at the rim alone. The mesh of a solid is in one piece, and two tets
 // that share a node move alike if both are kept. So every region of kept tets, unless it is a whole solid, reaches the
 // rim: one point for each piece of the rim decides for its region. False when these points disagree.
@@ -153,7 +175,7 @@ bool KeptTets::settle_at_rim(const Brep& new_brep) {
     solid_of_group_.assign(solid_count_ * regions_.size(), SolidId());
     std::vector<std::vector<std::int32_t>> outside;
     const auto settle = [&](std::size_t tet, SolidId solid) {
-        SolidId& known = solid_of_group_[old_.tet_solids[tet].index() * regions_.size() + std::size_t(motion_of(tet))];
+        SolidId& known = solid_of_group_[group_of(tet)];
         if (known.is_valid() && known != solid) return false;
         known = solid;
         return true;
@@ -170,7 +192,7 @@ bool KeptTets::settle_at_rim(const Brep& new_brep) {
     if (!outside.empty()) drop_islands(outside);
     if (is_settled()) return true;
     for (std::size_t t = 0; t < is_kept_.size(); ++t)
-        if (is_kept_[t] && !solid_of(t).is_valid() && !settle(t, locator.solid_at(carried_centre(t)))) return false;
+        if (is_kept_[t] && !solid_of(t).is_valid() && !settle(t, solid_at_centre(t, locator))) return false;
     return is_settled();
 }
 
@@ -181,7 +203,7 @@ SolidId KeptTets::solid_at(const std::vector<std::int32_t>& piece, const SolidLo
         for (const NodeId n : old_.tets[std::size_t(t)])
             if (places_ && old_.entities[n.index()].dim == 2)
                 if (const auto solid = places_->solid_beside(n.index(), carried_centre(std::size_t(t)))) return *solid;
-    return locator.solid_at(carried_centre(std::size_t(piece.front())));
+    return solid_at_centre(std::size_t(piece.front()), locator);
 }
 
 // Tets at the rim that belong together, each list in order.
@@ -270,7 +292,7 @@ void KeptTets::settle_everywhere(const Brep& new_brep) {
         for (std::size_t t = 0; t < is_kept_.size(); ++t) {
             if (!is_mine(t)) continue;
             std::int32_t& solid = solid_of_root[std::size_t(regions.root(old_.tets[t][0].value))];
-            if (solid == unknown) solid = locator.solid_at(carried_centre(t)).value;
+            if (solid == unknown) solid = solid_at_centre(t, locator).value;
             solids_[t] = SolidId(solid);
             is_kept_[t] = solid >= 0;
         }

@@ -67,12 +67,17 @@ class KeptTets {
     bool may_stay_near_change(std::size_t tet) const;
     void mark_rim();
     bool drop_frayed();
+    void find_successors(const Brep& old_brep, const Brep& new_brep);
     bool settle_at_rim(const Brep& new_brep);
     SolidId solid_at(const std::vector<std::int32_t>& piece, const SolidLocator& locator) const;
     std::vector<std::vector<std::int32_t>> pieces_of_rim(SolidId solid) const;
     void drop_islands(const std::vector<std::vector<std::int32_t>>& rims);
     bool is_settled() const;
     void settle_everywhere(const Brep& new_brep);
+    std::size_t group_of(std::size_t tet) const {
+        return old_.tet_solids[tet].index() * regions_.size() + std::size_t(motion_of(tet));
+    }
+    SolidId solid_at_centre(std::size_t tet, const SolidLocator& locator) const;
     Vec3 carried_centre(std::size_t tet) const;
 
     const Mesh& old_;
@@ -84,8 +89,9 @@ class KeptTets {
     std::vector<char> occurs_;  // by motion: a node has it
     std::vector<char> is_kept_, is_rim_, is_used_;
     std::vector<std::int32_t> dropped_, at_rim_;
-    std::vector<SolidId> solid_of_group_;  // by old solid and motion
-    std::vector<SolidId> solids_;          // by tet, where those of a group differ
+    std::vector<std::vector<char>> successors_;  // by old solid and motion: the new solids that it may be in
+    std::vector<SolidId> solid_of_group_;        // by old solid and motion
+    std::vector<SolidId> solids_;                // by tet, where those of a group differ
 };
 
 }  // namespace featuremesh

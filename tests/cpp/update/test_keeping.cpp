@@ -126,6 +126,12 @@ FaceId face_at(const Mesh& mesh, double x) {
     return {};
 }
 
+double volume_of(const Mesh& mesh, std::size_t tet) {
+    const auto& [a, b, c, d] = mesh.tets[tet];
+    const Vec3 p = mesh.point(a);
+    return dot(mesh.point(b) - p, cross(mesh.point(c) - p, mesh.point(d) - p)) / 6;
+}
+
 /// Share of the new tets that are kept, by whether their first node is nearer than `limit` to x = 60.
 std::array<double, 2> kept_near_and_far(const PartMesh& part, double limit) {
     std::array<double, 2> all{}, kept{};
@@ -192,6 +198,35 @@ TEST_CASE("an edit in one solid leaves the mesh of another alone, however near t
         }
         CHECK(released == 0);
         CHECK(second.report.kept_tets_share < 0.95);
+    }
+}
+
+TEST_CASE("where solids overlap each keeps the tets that it had") {
+    const auto overlapping = [](double hole, double height) {
+        PartDocument document;
+        document.box("Block", {0, 0, 0}, {40, 30, 10})
+            .cylinder("Hole", {hole, 25, -1}, 2, 12)
+            .cut("A", "Block", "Hole");
+        document.box("B", {5, 2, 1}, {30, 16, height});
+        return document
+            .add("Part", "Part::Compound", together(document.shape("A"), document.shape("B")),
+                 {{"Links", "A", ""}, {"Links", "B", ""}})
+            .finish();
+    };
+    for (const double height : {12.0, 14.0}) {  // the second solid is left alone, or changed
+        const auto first = meshed(overlapping(10, 12), options_of(2.5));
+        const auto second = updated(*first.part_mesh, overlapping(12, height), options_of(2.5));
+        const PartMesh& now = *second.part_mesh;
+        CHECK(second.report.fallbacks.empty());
+        CHECK(second.report.kept_tets_share > 0.5);
+        const Mesh& old = first.part_mesh->mesh;
+        std::array<double, 2> volumes{};
+        for (std::size_t t = 0; t < now.mesh.tets.size(); ++t) {
+            volumes[now.mesh.tet_solids[t].index()] += volume_of(now.mesh, t);
+            if (now.tet_origin[t] >= 0)
+                REQUIRE(now.mesh.tet_solids[t] == old.tet_solids[std::size_t(now.tet_origin[t])]);
+        }
+        CHECK(volumes[1] == Approx(30 * 16 * height));
     }
 }
 
