@@ -12,7 +12,6 @@
 #include "mesh/tets_at_nodes.h"
 #include "surface/merged_entities.h"
 #include "surface/turned_triangles.h"
-#include "update/mend_angles.h"
 #include "update/our_errors.h"
 #include "update/shell_division.h"
 #include "volume/curved/mid_side_nodes.h"
@@ -450,11 +449,7 @@ Kept nothing_kept(NextNumbers next) {
 std::variant<Filled, Message> fill_part(const Brep& brep, const SizingField& sizing, Kept kept,
                                         const MeshOptions& options, std::span<const SizeSource> sources,
                                         std::vector<Round>& rounds, RunContext& context) {
-    const bool is_whole = kept.mesh.points.empty() && brep.dimension() == Dimension::solids;
-    auto filled = SizeLoop(brep, sizing, std::move(kept), options, sources, rounds, context).run();
-    if (auto* whole = std::get_if<Filled>(&filled); whole && is_whole && whole->why_straight.empty())
-        mend_small_angles(brep, options, sources, *whole, rounds, context);
-    return filled;
+    return SizeLoop(brep, sizing, std::move(kept), options, sources, rounds, context).run();
 }
 
 }  // namespace featuremesh

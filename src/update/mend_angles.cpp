@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/dimension.h"
 #include "core/geometry.h"
 #include "core/ids.h"
 #include "difference/feature_difference.h"
@@ -53,9 +54,11 @@ SmallTet small_tet(const Mesh& mesh, TetId tet, double angle_deg) {
     return {tet, angle_deg, (p[0] + p[1] + p[2] + p[3]) / 4, longest};
 }
 
-std::vector<SmallTet> small_tets(const Mesh& mesh) {
+/// Of those that are new.
+std::vector<SmallTet> small_tets(const Mesh& mesh, const MeshOrigin* origin) {
     std::vector<SmallTet> small;
     for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+        if (origin && origin->elements[t] >= 0) continue;
         const auto& [a, b, c, d] = corners_of(mesh, TetId(t));
         const double angle_deg = dihedral_range(a, b, c, d).smallest_deg;
         if (angle_deg < smallest_wanted_deg) small.push_back(small_tet(mesh, TetId(t), angle_deg));
@@ -171,11 +174,12 @@ double most_tets_for(std::size_t tets) {
 class AngleMender {
   public:
     AngleMender(const Brep& brep, MeshOptions options, std::span<const SizeSource> sources, Filled& whole,
-                std::vector<Round>& rounds, RunContext& context)
+                MeshOrigin* origin, std::vector<Round>& rounds, RunContext& context)
         : brep_(brep),
           options_(std::move(options)),
           sources_(sources.begin(), sources.end()),
           whole_(whole),
+          origin_(origin),
           most_tets_(most_tets_for(whole.mesh.tets.size())),
           rounds_(rounds),
           context_(context) {
@@ -183,20 +187,27 @@ class AngleMender {
         options_.volume.smallest_asked = whole.sizing->smallest();
         options_.volume.moves_kept_nodes = true;
         sources_.insert(sources_.end(), whole.shorter.begin(), whole.shorter.end());
+        if (origin) first_tets_ = std::size_t(std::count(origin->elements.begin(), origin->elements.end(), -1));
+        filled_tets_ = first_tets_;
     }
 
     void run() {
-        std::vector<SmallTet> small = small_tets(whole_.mesh);
+        std::vector<SmallTet> small = small_tets(whole_.mesh, origin_);
         if (small.empty() || small.size() > std::max(few_tets, whole_.mesh.tets.size() / one_tet_in)) return;
         field_ = make_sizing(brep_, options_.sizing, sources_, context_);
         const std::size_t rounds = std::max<std::size_t>(1, most_tets_again / whole_.mesh.tets.size());
-        for (std::size_t round = 0; round < rounds && rounds_.size() < most_rounds; ++round) {
+        for (std::size_t round = 0; round < rounds && rounds_.size() < most_rounds && !is_dear(); ++round) {
             const std::vector<Place> places = places_to_mend(small);
             if (places.empty() || !fill_again(places, small)) return;
         }
     }
 
   private:
+    /// An update is to stay cheap beside a filling of the whole part.
+    bool is_dear() const {
+        return origin_ && filled_tets_ > std::min(std::max(2 * first_tets_, cheap_tets), whole_.mesh.tets.size());
+    }
+
     /// Those where it failed come last, and are left after some tries.
     std::vector<Place> places_to_mend(const std::vector<SmallTet>& small) const {
         std::vector<std::vector<Place>> by_tries(most_tries + 1);
@@ -231,21 +242,28 @@ class AngleMender {
         if (kept.node_origin.empty()) return false;
         const SolidId first = whole_.mesh.tet_solids[places.front().tets.front().tet.index()];
         rounds_.push_back({"small angles", as_parameter(first), "shorter edges there", {}});
+        MeshOrigin origin{std::move(kept.node_origin), std::move(kept.tet_origin)};
+        const std::size_t kept_tets = kept.mesh.tets.size(), first_round = rounds_.size();
         auto filled = fill_part(brep_, shorter, std::move(kept), options_, sources, rounds_, context_);
         auto* again = std::get_if<Filled>(&filled);
-        auto now = small_tets_of(again);
+        const std::size_t tets = again ? again->mesh.tets.size() : whole_.mesh.tets.size();
+        filled_tets_ += (tets - std::min(tets, kept_tets)) * (1 + rounds_.size() - first_round);
+        if (again && origin_)
+            origin = through(*origin_, origin_of(*again, std::move(origin), whole_.mesh, tets, context_));
+        auto now = small_tets_of(again, origin_ ? &origin : nullptr);
         if (!is_gain(places, small, now ? *now : small)) return true;
         small = *std::move(now);
         whole_.mesh = std::move(again->mesh);
+        if (origin_) *origin_ = std::move(origin);
         sources_ = std::move(sources);
         field_ = shorter;
         return true;
     }
 
     /// None where it is no mesh that may be taken.
-    std::optional<std::vector<SmallTet>> small_tets_of(const Filled* again) const {
+    std::optional<std::vector<SmallTet>> small_tets_of(const Filled* again, const MeshOrigin* origin) const {
         if (!again || !again->why_straight.empty() || double(again->mesh.tets.size()) > most_tets_) return std::nullopt;
-        return small_tets(again->mesh);
+        return small_tets(again->mesh, origin);
     }
 
     Kept kept_beside(const std::vector<Place>& places, const SizingField& shorter) const {
@@ -285,6 +303,8 @@ class AngleMender {
     std::optional<SizingField> field_;
     std::vector<Box> failed_;  ///< places
     Filled& whole_;
+    MeshOrigin* origin_;                            ///< of its mesh
+    std::size_t first_tets_ = 0, filled_tets_ = 0;  ///< by the first filling, and by all
     double most_tets_;
     std::vector<Round>& rounds_;
     RunContext& context_;
@@ -292,9 +312,10 @@ class AngleMender {
 
 }  // namespace
 
-void mend_small_angles(const Brep& brep, MeshOptions options, std::span<const SizeSource> sources, Filled& whole,
-                       std::vector<Round>& rounds, RunContext& context) {
-    AngleMender(brep, std::move(options), sources, whole, rounds, context).run();
+void mend_small_angles(const Brep& brep, MeshOptions options, std::span<const SizeSource> sources, Filled& filled,
+                       MeshOrigin* origin, std::vector<Round>& rounds, RunContext& context) {
+    if (brep.dimension() != Dimension::solids || !filled.why_straight.empty()) return;
+    AngleMender(brep, std::move(options), sources, filled, origin, rounds, context).run();
 }
 
 }  // namespace featuremesh

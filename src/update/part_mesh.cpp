@@ -29,6 +29,8 @@
 #include "update/foreign_fit.h"
 #include "update/ignored_details.h"
 #include "update/keep.h"
+#include "update/mend_angles.h"
+#include "update/mesh_origin.h"
 #include "update/our_errors.h"
 #include "update/thin_tets.h"
 #include "volume/curved/mid_side_nodes.h"
@@ -123,43 +125,6 @@ void record_run(const PartMesh& now, const RunContext& context, double total, Re
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::vector<std::int32_t> extended(std::vector<std::int32_t> origins, std::size_t count) {
-    origins.resize(count, -1);
-    return origins;
-}
-
-std::vector<std::int32_t> without(const std::vector<std::int32_t>& origins, const std::vector<TetId>& released) {
-    std::vector<char> gone(origins.size(), 0);
-    for (const TetId t : released) gone[t.index()] = 1;
-    std::vector<std::int32_t> left;
-    for (std::size_t t = 0; t < origins.size(); ++t)
-        if (!gone[t]) left.push_back(origins[t]);
-    return left;
-}
-
-/// Kept corner nodes stay in front; kept mid-side nodes are found by their numbers, which are never given twice.
-std::vector<std::int32_t> node_origins(const Mesh& old, const Filled& filled, const std::vector<std::int32_t>& corners,
-                                       const RunContext& context) {
-    const Mesh& mesh = filled.mesh;
-    std::vector<std::int32_t> origins = extended(corners, mesh.node_count());
-    for (const NodeId n : filled.moved) origins[n.index()] = -1;
-    if (old.order == 1 || mesh.order == 1) return origins;
-    std::vector<std::pair<Number, std::int32_t>> of_number;
-    for (std::size_t n = old.corner_count; n < old.node_count(); ++n)
-        of_number.emplace_back(old.node_numbers[n], std::int32_t(n));
-    if (!std::is_sorted(of_number.begin(), of_number.end())) std::sort(of_number.begin(), of_number.end());
-    RoundWatch watch(context);
-    auto it = of_number.begin();
-    for (std::size_t n = mesh.corner_count; n < mesh.node_count(); ++n) {
-        watch();
-        const Number number = mesh.node_numbers[n];
-        if (it == of_number.end() || it->first != number)  // kept ones are in their old order, as a rule
-            it = std::lower_bound(of_number.begin(), of_number.end(), std::pair<Number, std::int32_t>{number, 0});
-        if (it != of_number.end() && it->first == number) origins[n] = it++->second;
-    }
-    return origins;
 }
 
 void record_kept(const PartMesh& now, const std::vector<KeptByMotion>& by_motion, Report& report) {
@@ -316,7 +281,11 @@ class Stages {
                     why_nothing_ = say<Code::nothing_clear_of_changes>();
                     return;
                 }
-                if (fill_gaps(filling, why)) return;
+                if (fill_gaps(old.mesh, filling, why)) {
+                    mend_small_angles(part_->brep, filling, adopted_sizes_, *filled_, &origin_, report_.rounds,
+                                      context_);
+                    return;
+                }
             }
             report_.fallbacks.push_back(say<Code::keeping_failed>(margin, why));
             report_.rounds.push_back({"kept elements", {}, "less is kept", why});
@@ -331,7 +300,7 @@ class Stages {
             if (more_layers == 0) tell_misfits(fit, foreign);
             kept_ = std::move(fit.kept);
             Message why;
-            if (fill_gaps(options_, why)) return;
+            if (fill_gaps(foreign, options_, why)) return;
             report_.fallbacks.push_back(say<Code::keeping_what_fits_failed>(why));
             report_.rounds.push_back({"kept elements", {}, "less is kept", why});
         }
@@ -344,8 +313,7 @@ class Stages {
     void fill_rest(NextNumbers next) {
         if (filled_) return;
         if (!why_nothing_.empty()) report_.fallbacks.push_back(say<Code::full_mesh>(why_nothing_));
-        node_origin_.clear(), tet_origin_.clear(), report_.kept.clear();
-        made_for_ = {};
+        report_.kept.clear();
         for (const bool refines : {true, false}) {
             if (refines && sizing_ && options_.sizing.refines_narrow_faces) break;  // those that were asked for before
             const RunContext::Step step(context_, "surface");
@@ -361,25 +329,21 @@ class Stages {
         if (const auto* refusal = std::get_if<Message>(&whole)) throw MeshError(*refusal);
         take(std::get<Filled>(std::move(whole)));
         number_all(filled_->mesh, next);
+        origin_.nodes.assign(filled_->mesh.node_count(), -1);
+        origin_.elements.assign(element_count(filled_->mesh, dimension()), -1);
+        origin_.made_for = {};
     }
 
-    /// The mesh with all that its next update needs, and the report. `before`: what it was an update of, or none.
-    PartMeshResult finish(const Mesh* before_mesh, const PartMesh* before) {
+    /// The mesh with all that its next update needs, and the report.
+    PartMeshResult finish() {
         Mesh& mesh = filled_->mesh;
         record_mesh(mesh, *part_, *sizing_, options_, context_, report_);
         record_fill(*filled_, report_);
-        std::vector<std::int32_t> node_origin = before_mesh
-                                                    ? node_origins(*before_mesh, *filled_, node_origin_, context_)
-                                                    : extended({}, mesh.node_count());
-        std::vector<std::int32_t> tet_origin =
-            extended(without(tet_origin_, filled_->released), element_count(mesh, dimension()));
-        MadeFor sizes;
-        if (before) sizes = without(std::move(made_for_), filled_->moved);
         std::vector<SharedNode> shared = shared_nodes(mesh, part_->brep, options_.ignored_below);
-        auto now = std::make_shared<PartMesh>(PartMesh{std::move(*part_), std::move(document_), options_,
-                                                       std::move(*sizing_), std::move(mesh), std::move(node_origin),
-                                                       std::move(tet_origin), std::move(filled_->used_active),
-                                                       std::move(sizes), std::move(adopted_sizes_), std::move(shared)});
+        auto now = std::make_shared<PartMesh>(
+            PartMesh{std::move(*part_), std::move(document_), options_, std::move(*sizing_), std::move(mesh),
+                     std::move(origin_.nodes), std::move(origin_.elements), std::move(filled_->used_active),
+                     std::move(origin_.made_for), std::move(adopted_sizes_), std::move(shared)});
         record_kept(*now, report_.kept, report_);
         record_run(*now, context_, seconds_since(start_), report_);
         return {std::move(now), std::move(report_)};
@@ -428,24 +392,29 @@ class Stages {
     std::variant<Filled, Message> fill_all(NextNumbers next, bool takes_thin_tets) {
         MeshOptions options = options_;
         options.volume.takes_thin_tets = takes_thin_tets;
-        return fill_part(part_->brep, *sizing_, nothing_kept(next), options, adopted_sizes_, report_.rounds, context_);
+        auto filled =
+            fill_part(part_->brep, *sizing_, nothing_kept(next), options, adopted_sizes_, report_.rounds, context_);
+        if (auto* whole = std::get_if<Filled>(&filled))
+            mend_small_angles(part_->brep, options, adopted_sizes_, *whole, nullptr, report_.rounds, context_);
+        return filled;
     }
 
     static bool tells_of_thin_tets(const Message& refusal) {
         return refusal.code() == Code::thin_elements_remain || refusal.code() == Code::thin_elements_remain_beside;
     }
 
-    bool fill_gaps(const MeshOptions& options, Message& why) {
-        node_origin_ = std::move(kept_.node_origin);
-        tet_origin_ = std::move(dimension() == Dimension::solids  ? kept_.tet_origin
-                                : dimension() == Dimension::faces ? kept_.triangle_origin
-                                                                  : kept_.segment_origin);
+    bool fill_gaps(const Mesh& before, const MeshOptions& options, Message& why) {
+        MeshOrigin kept{std::move(kept_.node_origin),
+                        std::move(dimension() == Dimension::solids  ? kept_.tet_origin
+                                  : dimension() == Dimension::faces ? kept_.triangle_origin
+                                                                    : kept_.segment_origin),
+                        std::move(kept_.made_for)};
         report_.kept = std::move(kept_.by_motion);
-        made_for_ = std::move(kept_.made_for);
         auto filled =
             fill_part(part_->brep, *sizing_, std::move(kept_), options, adopted_sizes_, report_.rounds, context_);
         if (auto* refusal = std::get_if<Message>(&filled)) return why = std::move(*refusal), false;
         take(std::get<Filled>(std::move(filled)));
+        origin_ = origin_of(*filled_, std::move(kept), before, element_count(filled_->mesh, dimension()), context_);
         return true;
     }
 
@@ -471,8 +440,7 @@ class Stages {
     std::optional<SizingField> sizing_;
     Report report_;
     Kept kept_;
-    std::vector<std::int32_t> node_origin_, tet_origin_;
-    MadeFor made_for_;
+    MeshOrigin origin_;
     Message why_nothing_;  ///< is kept; empty where nothing was to be kept
     std::optional<Filled> filled_;
 };
@@ -523,7 +491,7 @@ PartMeshResult mesh_part(RawDocument document, const MeshOptions& options, RunCo
     Stages stages(std::move(document), with_pieces_round_rods(options), context);
     stages.read(nullptr);
     stages.fill_rest(next);
-    return stages.finish(nullptr, nullptr);
+    return stages.finish();
 }
 
 PartMeshResult update_part(const PartMesh& old, RawDocument document, const MeshOptions& asked, RunContext& context) {
@@ -546,7 +514,7 @@ PartMeshResult update_part(const PartMesh& old, RawDocument document, const Mesh
     else if (is_compared)
         stages.fill_beside_kept(old);
     stages.fill_rest({old.mesh.next_node_number, old.mesh.next_element_number});
-    return stages.finish(&old.mesh, &old);
+    return stages.finish();
 }
 
 PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const Mesh& foreign, RunContext& context) {
@@ -563,7 +531,7 @@ PartMeshResult adopt_part(RawDocument document, const MeshOptions& asked, const 
     stages.make_sizing(local_sizes(foreign, asked.sizing.size));
     stages.fill_beside_fitting(foreign);
     stages.fill_rest({foreign.next_node_number, foreign.next_element_number});
-    return stages.finish(&foreign, nullptr);
+    return stages.finish();
 }
 
 std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOptions& asked, Mesh mesh,

@@ -384,3 +384,34 @@ TEST_CASE("a small mesh may grow by more for its angles") {
         CHECK(result.part_mesh->mesh.tets.size() < 7000);
     }
 }
+
+TEST_CASE("small angles that came with an edit are mended, and what was kept beside them stays") {
+    for (const int order : {1, 2}) {
+        const MeshOptions options = options_of(3, order);
+        const PartMeshResult plain = meshed(ribbed_block(4), options);
+        const PartMeshResult result = updated(*plain.part_mesh, ribbed_block(0.2), options);
+        check_valid(*result.part_mesh);
+        CHECK(result.report.fallbacks.empty());
+        CHECK(result.report.quality.min_dihedral_unforced > 10);
+        REQUIRE(!result.report.rounds.empty());
+        CHECK(result.report.rounds[0].reason == "small angles");
+        CHECK(result.report.kept_nodes_share > 0.5);
+        const Mesh &old = plain.part_mesh->mesh, &now = result.part_mesh->mesh;
+        const std::vector<std::int32_t>& origin = result.part_mesh->node_origin;
+        REQUIRE(origin.size() == now.node_count());
+        for (std::size_t n = 0; n < origin.size(); ++n) {
+            if (origin[n] < 0) {
+                REQUIRE(now.node_numbers[n] >= old.next_node_number);
+                continue;
+            }
+            REQUIRE(now.points[n] == old.points[std::size_t(origin[n])]);
+            REQUIRE(now.node_numbers[n] == old.node_numbers[std::size_t(origin[n])]);
+        }
+        const std::vector<std::int32_t>& tets = result.part_mesh->tet_origin;
+        REQUIRE(tets.size() == now.tets.size());
+        for (std::size_t t = 0; t < tets.size(); ++t)
+            REQUIRE((tets[t] < 0 ? now.tet_numbers[t] >= old.next_element_number
+                                 : now.tet_numbers[t] == old.tet_numbers[std::size_t(tets[t])]));
+        CHECK(are_same_bytes(now, updated(*plain.part_mesh, ribbed_block(0.2), options, 3).part_mesh->mesh));
+    }
+}
