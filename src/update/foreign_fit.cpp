@@ -2,6 +2,7 @@
 #include "update/foreign_fit.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "core/errors.h"
@@ -121,10 +122,23 @@ class Fitter {
             std::int32_t& best = largest[std::size_t(root(std::int32_t(t)))];
             if (best < 0 || six_volumes(mesh_, t) > six_volumes(mesh_, std::size_t(best))) best = std::int32_t(t);
         }
+        // Solids may overlap, so a point may be in several: where a face is known, in one that it bounds.
+        std::map<std::int32_t, std::vector<char>> may_be;  // by root and solid
+        for (const MatchedTriangle& triangle : surface_.triangles) {
+            const std::array<SolidId, 2> beside = brep_.solids_beside(triangle.face);
+            for (std::size_t k = 0; k < 2; ++k) {
+                const TetId tet = triangle.tets[k];
+                if (!tet.is_valid() || is_released_[tet.index()] || !beside[k].is_valid()) continue;
+                std::vector<char>& solids = may_be[root(tet.value)];
+                solids.resize(brep_.solid_count());
+                solids[beside[k].index()] = 1;
+            }
+        }
         const SolidLocator locator(brep_);
         std::vector<SolidId> solid_of_root(mesh_.tets.size());
         for (std::size_t r = 0; r < largest.size(); ++r)
-            if (largest[r] >= 0) solid_of_root[r] = locator.solid_at(centre(std::size_t(largest[r])));
+            if (largest[r] >= 0)
+                solid_of_root[r] = locator.solid_at(centre(std::size_t(largest[r])), may_be[std::int32_t(r)]);
         solid_of_.assign(mesh_.tets.size(), SolidId());
         for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
             if (is_released_[t]) continue;

@@ -3,6 +3,7 @@
 #include <BOPAlgo_Builder.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <algorithm>
@@ -295,5 +296,20 @@ TEST_CASE("tets on both sides of a face between solids get their solids") {
     CHECK(result.report.kept_tets_share == 1);
     CHECK(result.part_mesh->mesh.tet_solids == ours->mesh.tet_solids);
     CHECK(result.part_mesh->mesh.triangles.size() == ours->mesh.triangles.size());
+    check_valid(*result.part_mesh);
+}
+
+TEST_CASE("of solids that overlap each gets its own tets") {
+    TopoDS_Compound both;
+    BRep_Builder builder;
+    builder.MakeCompound(both);
+    builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 0), 30, 20, 20).Shape());
+    builder.Add(both, BRepPrimAPI_MakeBox(gp_Pnt(4, 2, 2), 24, 15, 20).Shape());
+    const RawDocument document = PartDocument().add("Part", "Part::Feature", both).finish();
+    const auto ours = meshed(document, 1);
+    const auto result = adopted(document, foreign_copy(ours->mesh));
+    CHECK(result.report.fallbacks.empty());
+    CHECK(result.report.kept_tets_share == 1);
+    CHECK(result.part_mesh->mesh.tet_solids == ours->mesh.tet_solids);
     check_valid(*result.part_mesh);
 }
