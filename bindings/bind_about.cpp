@@ -15,7 +15,7 @@ namespace {
 
 /// Of this interface. An addon says which numbers it can speak; a change that an older addon cannot understand counts
 /// it up.
-constexpr int protocol = 3;
+constexpr int protocol = 4;
 
 py::dict about() {
     using namespace py::literals;

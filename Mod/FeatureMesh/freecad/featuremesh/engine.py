@@ -18,7 +18,7 @@ from .user_words import in_words
 
 translate = FreeCAD.Qt.translate
 # The numbers of the interface between this package and the engine (`featuremesh_engine.protocol`) that it can speak.
-OLDEST_PROTOCOL, NEWEST_PROTOCOL = 3, 3
+OLDEST_PROTOCOL, NEWEST_PROTOCOL = 4, 4
 _place = None    # the engine_places.Place in use
 _asked = False   # was a process of its own asked for?
 _worker = worker.WorkerEngine()
