@@ -34,6 +34,8 @@ RawRecord record_from(const py::dict& raw) {
     record.global_placement = motion_from(raw["global_placement"]);
     record.numbers = raw["numbers"].cast<std::map<std::string, double>>();
     record.texts = raw["texts"].cast<std::map<std::string, std::string>>();
+    // States of older versions have none.
+    if (raw.contains("measures")) record.measures = raw["measures"].cast<std::map<std::string, std::string>>();
     record.shape = raw["shape"].cast<int>();
     record.own_volume = raw["own_volume"].cast<int>();
     record.suppressed = raw["suppressed"].cast<bool>();

@@ -40,8 +40,8 @@ def templates_of_engine():
 
 
 def has_words(template):
-    """Is there anything to translate beside the parameters?"""
-    return re.search("[A-Za-z]", re.sub(r"\{.*?\}", "", template)) is not None
+    """Is there anything to translate beside the parameters, words for one and more among it?"""
+    return re.search("[A-Za-z]", re.sub(r"\{\w+:\w+\}", "", template)) is not None
 
 
 def name_of(call):

@@ -65,4 +65,11 @@ Message several(std::vector<Message> messages) {
     return say<Code::several>(messages);
 }
 
+Message listed(const std::vector<Message>& messages) {
+    Message list;
+    for (std::size_t i = messages.size(); i-- > 0;)
+        list = list.empty() ? messages[i] : say<Code::listed>(messages[i], list);
+    return list;
+}
+
 }  // namespace featuremesh

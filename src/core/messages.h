@@ -83,5 +83,7 @@ Message say(const Values&... values) {
 
 /// Several messages as one; just the message where there is one, and none where there is none.
 Message several(std::vector<Message> messages);
+/// The same with commas between them.
+Message listed(const std::vector<Message>& messages);
 
 }  // namespace featuremesh

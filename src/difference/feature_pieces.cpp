@@ -4,9 +4,10 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
+#include <array>
 #include <optional>
 
-#include "core/numbers_in_words.h"
+#include "core/messages.h"
 
 namespace featuremesh {
 
@@ -75,22 +76,22 @@ PieceMatch match_pieces(const std::vector<FeaturePiece>& was, const std::vector<
 namespace {
 constexpr std::size_t most_places = 3;
 
-/// "(105, 70, 7.5)"; a direction in which the piece goes through all of the part says nothing: "x 105, y 70".
-std::string place_of(const FeaturePiece& piece, const Box& part) {
-    std::string all, some;
-    int through = 0;
+/// "(105, 70, 7.5) mm"; a direction in which the piece goes through all of the part says nothing: "x 105 mm, y 70 mm".
+Message place_of(const FeaturePiece& piece, const Box& part) {
+    std::array<double, 3> middle;
+    std::vector<Message> across;
     for (int i = 0; i < 3; ++i) {
         const double extent = part.high[i] - part.low[i];
         double low = std::max(piece.box.low[i], part.low[i]), high = std::min(piece.box.high[i], part.high[i]);
         if (low > high) low = piece.box.low[i], high = piece.box.high[i];
-        const std::string number = in_words((low + high) / 2);
-        all.append(i == 0 ? "" : ", ").append(number);
-        if (low <= part.low[i] + 1e-3 * extent && high >= part.high[i] - 1e-3 * extent)
-            ++through;
-        else
-            some.append(some.empty() ? "" : ", ").append(1, "xyz"[i]).append(" ").append(number);
+        const Length at{middle[std::size_t(i)] = (low + high) / 2};
+        if (low <= part.low[i] + 1e-3 * extent && high >= part.high[i] - 1e-3 * extent) continue;
+        across.push_back(i == 0   ? say<Code::place_along_x>(at)
+                         : i == 1 ? say<Code::place_along_y>(at)
+                                  : say<Code::place_along_z>(at));
     }
-    return through == 0 || through == 3 ? std::string("(").append(all).append(")") : some;
+    return across.empty() || across.size() == 3 ? say<Code::place>(Vec3{middle[0], middle[1], middle[2]})
+                                                : listed(across);
 }
 
 /// The one radius that all cylinders of a piece share; 0 when there is none.
@@ -114,26 +115,31 @@ bool is_round(const FeaturePiece& piece) {
     return true;
 }
 
-class PieceWords {
+class PieceMessages {
   public:
-    PieceWords(const PieceMatch& match, const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
-               const Box& old_part, const Box& new_part)
+    PieceMessages(const PieceMatch& match, const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
+                  const Box& old_part, const Box& new_part)
         : match_(match), was_(was), is_(is), old_part_(old_part), new_part_(new_part), partner_(was.size(), -1) {
         std::vector<char> taken(is.size(), 0);
         for (const int j : match.new_of)
             if (j >= 0) taken[std::size_t(j)] = 1;
         for (std::size_t i = 0; i < was.size(); ++i)
-            if (match.new_of[i] < 0) find_reshaped(i, taken);
+            if (match.new_of[i] < 0)
+                find_reshaped(i, taken);
+            else if (!match.motions[i].is_identity())
+                moved_.push_back(i);
         for (std::size_t j = 0; j < is.size(); ++j)
             if (!taken[j]) added_.push_back(j);
     }
 
-    std::string text() const {
-        std::string words = moved();
-        add(words, list("reshaped", reshaped_.size(), [&](std::size_t k) { return reshaped(k); }));
-        add(words, list("added", added_.size(), [&](std::size_t k) { return at(is_[added_[k]], new_part_); }));
-        add(words, list("removed", removed_.size(), [&](std::size_t k) { return at(was_[removed_[k]], old_part_); }));
-        return words;
+    Message all() const {
+        std::vector<Message> found;
+        add<Code::pieces_moved>(found, moved_.size(), [&](std::size_t k) { return motion(moved_[k]); });
+        add<Code::pieces_reshaped>(found, reshaped_.size(), [&](std::size_t k) { return reshaped(reshaped_[k]); });
+        add<Code::pieces_added>(found, added_.size(), [&](std::size_t k) { return at(is_[added_[k]], new_part_); });
+        add<Code::pieces_removed>(found, removed_.size(),
+                                  [&](std::size_t k) { return at(was_[removed_[k]], old_part_); });
+        return several(std::move(found));
     }
 
   private:
@@ -152,61 +158,41 @@ class PieceWords {
         reshaped_.push_back(i);
     }
 
-    std::string noun(std::size_t count) const {
+    /// "1 of 6 holes"; of what was one piece, and of what is new, only how many.
+    Message how_many(std::size_t count, bool is_of_all) const {
         const auto& pieces = was_.empty() ? is_ : was_;
         const bool holes = std::all_of(pieces.begin(), pieces.end(), [](const FeaturePiece& piece) {
             return piece.effect == Effect::removes && radius_of(piece) > 0 && is_round(piece);
         });
-        return std::string(holes ? "hole" : "piece") + (count == 1 ? "" : "s");
+        if (is_of_all && was_.size() > 1)
+            return holes ? say<Code::holes_of>(count, was_.size()) : say<Code::pieces_of>(count, was_.size());
+        return holes ? say<Code::holes>(count) : say<Code::pieces>(count);
     }
 
-    static std::string at(const FeaturePiece& piece, const Box& part) {
-        return std::string("at ").append(place_of(piece, part));
+    static Message at(const FeaturePiece& piece, const Box& part) { return say<Code::at_place>(place_of(piece, part)); }
+
+    /// "1 of 6 holes moved by (5, 0, 0) mm from x 10 mm, y 40 mm to x 15 mm, y 40 mm"
+    template <Code code, class Place>
+    void add(std::vector<Message>& found, std::size_t count, const Place& place) const {
+        if (count == 0) return;
+        std::vector<Message> places;
+        for (std::size_t k = 0; k < std::min(count, most_places); ++k) places.push_back(place(k));
+        const Message first = listed(places);
+        found.push_back(say<code>(how_many(count, code != Code::pieces_added),
+                                  count > most_places ? say<Code::first_of_more>(first, count - most_places) : first));
     }
 
-    static void add(std::string& words, const std::string& more) {
-        if (!more.empty()) words += (words.empty() ? "" : "; ") + more;
+    Message motion(std::size_t i) const {
+        return say<Code::piece_motion>(describe(match_.motions[i]), place_of(was_[i], old_part_),
+                                       place_of(is_[std::size_t(match_.new_of[i])], new_part_));
     }
 
-    /// "1 of 6 holes moved by (5, 0, 0) mm to (15, 40, 7.5)"
-    template <class Place>
-    std::string list(const std::string& what, std::size_t count, const Place& place) const {
-        if (count == 0) return "";
-        std::string words = std::to_string(count);
-        if (what != "added" && was_.size() > 1) words += " of " + std::to_string(was_.size());
-        words.append(" ")
-            .append(noun(was_.size() > 1 && what != "added" ? was_.size() : count))
-            .append(" ")
-            .append(what);
-        for (std::size_t k = 0; k < std::min(count, most_places); ++k)
-            words.append(k == 0 ? " " : ", ").append(place(k));
-        if (count > most_places) words += " and " + std::to_string(count - most_places) + " more";
-        return words;
-    }
-
-    std::string moved() const {
-        std::vector<std::size_t> pieces;
-        for (std::size_t i = 0; i < was_.size(); ++i)
-            if (match_.new_of[i] >= 0 && !match_.motions[i].is_identity()) pieces.push_back(i);
-        return list("moved", pieces.size(), [&](std::size_t k) {
-            const std::string motion = describe(match_.motions[pieces[k]]).in_english();
-            const std::string start = "moved ";
-            return (motion.starts_with(start) ? motion.substr(start.size()) : motion) + " from " +
-                   place_of(was_[pieces[k]], old_part_) + " to " +
-                   place_of(is_[std::size_t(match_.new_of[pieces[k]])], new_part_);
-        });
-    }
-
-    std::string reshaped(std::size_t k) const {
-        const FeaturePiece &from = was_[reshaped_[k]], &to = is_[std::size_t(partner_[reshaped_[k]])];
-        std::string words = at(to, new_part_);
+    Message reshaped(std::size_t i) const {
+        const FeaturePiece &from = was_[i], &to = is_[std::size_t(partner_[i])];
         const double old_radius = radius_of(from), new_radius = radius_of(to);
-        if (old_radius == 0 || new_radius == 0 || std::abs(old_radius - new_radius) < 1e-9 * old_radius) return words;
-        return words.append(" (radius ")
-            .append(in_words(old_radius))
-            .append(" -> ")
-            .append(in_words(new_radius))
-            .append(" mm)");
+        if (old_radius == 0 || new_radius == 0 || std::abs(old_radius - new_radius) < 1e-9 * old_radius)
+            return at(to, new_part_);
+        return say<Code::at_place_with_radius>(place_of(to, new_part_), Length{old_radius}, Length{new_radius});
     }
 
     const PieceMatch& match_;
@@ -215,13 +201,13 @@ class PieceWords {
     const Box& old_part_;
     const Box& new_part_;
     std::vector<int> partner_;
-    std::vector<std::size_t> reshaped_, removed_, added_;
+    std::vector<std::size_t> moved_, reshaped_, removed_, added_;
 };
 }  // namespace
 
-std::string in_words(const PieceMatch& match, const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
-                     const Box& old_part, const Box& new_part) {
-    return PieceWords(match, was, is, old_part, new_part).text();
+Message describe(const PieceMatch& match, const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
+                 const Box& old_part, const Box& new_part) {
+    return PieceMessages(match, was, is, old_part, new_part).all();
 }
 
 }  // namespace featuremesh

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <TopoDS_Shape.hxx>
-#include <string>
 #include <vector>
 
 #include "core/geometry.h"
+#include "core/message.h"
 #include "difference/feature_motion.h"
 #include "difference/underlying_geometry.h"
 #include "features/feature_tree.h"
@@ -34,9 +34,10 @@ struct PieceMatch {
 PieceMatch match_pieces(const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
                         const RigidMotion& hint, const Sameness& sameness);
 
-/// "1 of 6 holes moved by (-5, 0, 0) mm from x 110, y 70 to x 105, y 70"; empty when nothing happened. Positions are
-/// the middles of what of the pieces is within the box of the part, without the directions in which that is all of it.
-std::string in_words(const PieceMatch& match, const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
-                     const Box& old_part, const Box& new_part);
+/// "1 of 6 holes moved by (-5, 0, 0) mm from x 110 mm, y 70 mm to x 105 mm, y 70 mm"; says nothing when nothing
+/// happened. Positions are the middles of what of the pieces is within the box of the part, without the directions in
+/// which that is all of it.
+Message describe(const PieceMatch& match, const std::vector<FeaturePiece>& was, const std::vector<FeaturePiece>& is,
+                 const Box& old_part, const Box& new_part);
 
 }  // namespace featuremesh

@@ -11,7 +11,6 @@
 #include "core/ids.h"
 #include "core/message.h"
 #include "core/messages.h"
-#include "core/numbers_in_words.h"
 #include "difference/face_owners.h"
 #include "difference/feature_pieces.h"
 #include "features/feature_tree.h"
@@ -44,15 +43,23 @@ class Volumes {
     std::vector<double> from_cells_;
 };
 
-std::string changed_parameters(const Feature& was, const Feature& is) {
-    std::string words;
+Message changed_parameter(const std::string& name, const std::string& measure, double before, double after) {
+    if (measure == "length") return say<Code::length_changed>(name, Length{before}, Length{after});
+    if (measure == "angle") return say<Code::angle_changed>(name, before, after);
+    return say<Code::number_changed>(name, before, after);
+}
+
+Message changed_parameters(const Feature& was, const Feature& is) {
+    std::vector<Message> changed;
     for (const auto& [name, value] : is.parameters) {
         const auto old =
             std::find_if(was.parameters.begin(), was.parameters.end(), [&](const auto& p) { return p.first == name; });
         if (old == was.parameters.end() || std::abs(old->second - value) <= 1e-9 * (1 + std::abs(value))) continue;
-        words += (words.empty() ? "" : ", ") + name + " " + in_words(old->second) + " -> " + in_words(value);
+        const auto measure = is.measures.find(name);
+        changed.push_back(
+            changed_parameter(name, measure == is.measures.end() ? "" : measure->second, old->second, value));
     }
-    return words;
+    return listed(changed);
 }
 
 class FeatureComparison {
@@ -130,10 +137,10 @@ class FeatureComparison {
 
     FeatureChange compare_without_volume(FeatureChange change, const Feature& was, const Feature& is) const {
         const RigidMotion motion = compose(is.frame, was.frame.inverse());
-        const std::string parameters = changed_parameters(was, is);
+        const Message parameters = changed_parameters(was, is);
         if (!parameters.empty()) {
             change.verdict = Verdict::reshaped;
-            change.detail = say<Code::parameters_changed>(parameters);
+            change.detail = parameters;
         } else if (!same_motion(motion, RigidMotion{}, sameness_)) {
             change.verdict = Verdict::moved;
             change.motion = motion;
@@ -163,11 +170,9 @@ class FeatureComparison {
         change.new_volume = complete ? change.old_volume : new_volumes_(n);
         change.verdict = Verdict::reshaped;
         std::vector<Message> details;
-        if (const std::string parameters = changed_parameters(was, is); !parameters.empty())
-            details.push_back(say<Code::parameters_changed>(parameters));
+        if (const Message parameters = changed_parameters(was, is); !parameters.empty()) details.push_back(parameters);
         if (old_pieces.size() > 1 || new_pieces.size() > 1)
-            details.push_back(
-                say<Code::pieces_changed>(in_words(match, old_pieces, new_pieces, old_.brep.box(), new_.brep.box())));
+            details.push_back(describe(match, old_pieces, new_pieces, old_.brep.box(), new_.brep.box()));
         if (details.empty())
             details.push_back(change.old_volume == 0 && change.new_volume == 0
                                   ? say<Code::other_faces>()

@@ -78,6 +78,7 @@ class Interpreter {
         f.suppressed = r.suppressed;
         f.error = r.error;
         f.parameters.assign(r.numbers.begin(), r.numbers.end());
+        f.measures = r.measures;
         std::set<FeatureId> links;
         for (const RawLink& link : r.links)
             if (const int target = view_.find(link.object); target >= 0 && target < i) links.insert(FeatureId(target));

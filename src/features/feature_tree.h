@@ -3,6 +3,7 @@
 #pragma once
 
 #include <TopoDS_Shape.hxx>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,6 +55,7 @@ struct Feature {
     Combination combination = Combination::volumes;
     std::vector<FeatureId> operands;  ///< whose results are combined; always earlier features
     std::vector<std::pair<std::string, double>> parameters;
+    std::map<std::string, std::string> measures;  ///< of parameters that are a "length" (mm) or an "angle" (degrees)
 };
 
 /// The features in dependency order and the shape that FreeCAD shows.

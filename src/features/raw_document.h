@@ -20,13 +20,14 @@ struct RawLink {
 struct RawRecord {
     std::string name, label, type;  ///< type is FreeCAD's, e.g. "PartDesign::Pad"; "Python:<Proxy class>" is in `proxy`
     std::string proxy;
-    std::vector<RawLink> links;                ///< every object link property, in the order of its list
-    RigidMotion placement;                     ///< of the object within its parent
-    RigidMotion global_placement;              ///< from the object's own frame to the final shape's frame
-    std::map<std::string, double> numbers;     ///< numeric and boolean parameters (mm, degrees)
-    std::map<std::string, std::string> texts;  ///< enumerations
-    int shape = -1;                            ///< index into the shapes: its Shape, in the final shape's frame
-    int own_volume = -1;                       ///< index into the shapes: its AddSubShape, in the final shape's frame
+    std::vector<RawLink> links;                   ///< every object link property, in the order of its list
+    RigidMotion placement;                        ///< of the object within its parent
+    RigidMotion global_placement;                 ///< from the object's own frame to the final shape's frame
+    std::map<std::string, double> numbers;        ///< numeric and boolean parameters (mm, degrees)
+    std::map<std::string, std::string> texts;     ///< enumerations
+    std::map<std::string, std::string> measures;  ///< of numbers that are a "length" or an "angle"
+    int shape = -1;                               ///< index into the shapes: its Shape, in the final shape's frame
+    int own_volume = -1;  ///< index into the shapes: its AddSubShape, in the final shape's frame
     bool suppressed = false;
     std::string error;  ///< FreeCAD's own message when the feature is in error
     bool operator==(const RawRecord&) const = default;

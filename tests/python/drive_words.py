@@ -161,13 +161,22 @@ def check_live():
 
 
 def check_difference(body, path):
-    """The header says what the numbers of the part itself are in."""
+    """Dimensions of the part and places are in inches, too."""
     from freecad.featuremesh.commands import made
+    sketch = body.Document.HoleSketch
+    sketch.setDatum("Hole6X", FreeCAD.Units.Quantity("101.6 mm"))
+    body.Document.recompute()
     found = made("FeatureMesh_Compare").show(body, path)
     header = found.tree.headerItem()
-    assert [header.text(column) for column in (2, 3)] == ["by how much (mm)", "volume"], header.text(2)
+    assert [header.text(column) for column in (2, 3)] == ["by how much", "volume"], header.text(2)
     assert found.tree.topLevelItem(2).text(3).endswith("in^3"), found.tree.topLevelItem(2).text(3)
+    details = [found.tree.topLevelItem(row).text(2) for row in range(found.tree.topLevelItemCount())]
+    assert "Hole6X 4.3307 in -> 4 in" in details, details
+    assert "1 of 6 holes moved by (-0.33071 in, 0 in, 0 in) from x 4.3307 in, y 2.7559 in to x 4 in, y 2.7559 in" in details, details
+    picture("difference_in_inches")
     found.close()
+    sketch.setDatum("Hole6X", FreeCAD.Units.Quantity("110 mm"))
+    body.Document.recompute()
     spin()
 
 

@@ -139,6 +139,8 @@ class Reading(unittest.TestCase):
         self.assertEqual(records["Hole"]["texts"]["Type"], "ThroughAll")
         self.assertEqual(records["HoleSketch"]["numbers"]["Radius"], 6.0)
         self.assertEqual(records["Sheet"]["numbers"]["thickness"], 12.0)
+        self.assertEqual([records[name]["measures"].get(key) for name, key in (("Plate", "Length"), ("Hole", "Reversed"), ("HoleSketch", "Radius"), ("Sheet", "thickness"))],
+                         ["length", None, "length", "length"])
         self.assertEqual(records["HoleSketch"]["shape"], -1)
         self.assert_order(raw)
 
@@ -149,8 +151,9 @@ class Reading(unittest.TestCase):
         sketch.addGeometry(Part.LineSegment(Vector(0, 0), Vector(10, 10)))
         sketch.renameConstraint(sketch.addConstraint(Sketcher.Constraint("Angle", 0, 0.5)), "Slope")
         document.recompute()
-        numbers, _ = properties_of(sketch, sketch.TypeId).parameters(sketch)
+        numbers, _, measures = properties_of(sketch, sketch.TypeId).parameters(sketch)
         self.assertAlmostEqual(numbers["Slope"], 28.64788975654116)
+        self.assertEqual(measures["Slope"], "angle")
 
     def test_an_objects_own_property_is_read_by_its_own_type(self):
         document = new_document()
@@ -169,12 +172,14 @@ class Reading(unittest.TestCase):
         part = document.addObject("Part::Cylinder", "Round")
         part.Radius, part.Angle, part.MapMode, part.MapReversed = 3, 90, "ObjectXY", True
         part.AttachmentOffset = placement(1, 2, 3, 40, (0, 1, 0))
-        numbers, texts = properties_of(part, part.TypeId).parameters(part)
+        numbers, texts, measures = properties_of(part, part.TypeId).parameters(part)
         self.assertEqual({name: numbers[name] for name in ("Radius", "Angle", "MapReversed", "MapPathParameter", "AttachmentOffset.Base.z")},
                          {"Radius": part.Radius.Value, "Angle": 90.0, "MapReversed": 1.0, "MapPathParameter": part.MapPathParameter,
                           "AttachmentOffset.Base.z": 3.0})
         self.assertAlmostEqual(numbers["AttachmentOffset.Angle"], 40)
         self.assertEqual([numbers["AttachmentOffset.Axis." + axis] for axis in "xyz"], list(part.AttachmentOffset.Rotation.Axis))
+        self.assertEqual({name: measures.get(name) for name in ("Radius", "Angle", "MapReversed", "AttachmentOffset.Base.z", "AttachmentOffset.Axis.z")},
+                         {"Radius": "length", "Angle": "angle", "MapReversed": None, "AttachmentOffset.Base.z": "length", "AttachmentOffset.Axis.z": None})
         self.assertEqual(texts, {name: getattr(part, name) for name in texts})   # FreeCAD 1.1 has one more than 0.20
         self.assertEqual(texts["MapMode"], "ObjectXY")
         self.assertNotIn("Label", texts)

@@ -322,7 +322,7 @@ TEST_CASE("pattern instances are matched by geometry") {
     after[1].parameters = {{"Occurrences", 4}};
     const FeatureDifference d = diff(part(before), part(after));
     CHECK(change_of(d, "Pattern").verdict == Verdict::reshaped);
-    CHECK(change_of(d, "Pattern").detail.in_english() == "Occurrences 3 -> 4; 1 hole added at x 25, y 10");
+    CHECK(change_of(d, "Pattern").detail.in_english() == "Occurrences 3 -> 4; 1 hole added at x 25 mm, y 10 mm");
     CHECK(d.regions.size() == 1);
     CHECK(d.regions[0].changed.distance({40, 10, 5}, 50) > 8);
 }
@@ -336,7 +336,8 @@ TEST_CASE("an instance added in the middle shifts the rest") {
     const FeatureDifference d = diff(part(before), part(after));
     CHECK(change_of(d, "Pattern").verdict == Verdict::reshaped);
     CHECK(change_of(d, "Pattern").detail.in_english() ==
-          "1 of 3 holes moved by (-10, 0, 0) mm from x 40, y 10 to x 30, y 10; 1 hole added at x 50, y 10");
+          "1 of 3 holes moved by (-10, 0, 0) mm from x 40 mm, y 10 mm to x 30 mm, y 10 mm; 1 hole added at x 50 mm, y "
+          "10 mm");
     REQUIRE(d.regions.size() == 2);
     CHECK(d.regions[1].motion == shift({-10, 0, 0}));
 }
@@ -352,9 +353,9 @@ TEST_CASE("of several holes of one sketch those that moved, grew, came and went 
     const FeatureChange& change = change_of(d, "Holes");
     CHECK(change.verdict == Verdict::reshaped);
     CHECK(change.detail.in_english() ==
-          "1 of 4 holes moved by (5, 0, 0) mm from x 10, y 10 to x 15, y 10; 1 of 4 holes reshaped at x 70, y 10 "
-          "(radius 3 "
-          "-> 4 mm); 1 hole added at x 55, y 10; 1 of 4 holes removed at x 90, y 10");
+          "1 of 4 holes moved by (5, 0, 0) mm from x 10 mm, y 10 mm to x 15 mm, y 10 mm; 1 of 4 holes reshaped at x 70 "
+          "mm, "
+          "y 10 mm (radius 3 mm -> 4 mm); 1 hole added at x 55 mm, y 10 mm; 1 of 4 holes removed at x 90 mm, y 10 mm");
 }
 
 TEST_CASE("what a fillet takes off is no hole") {
@@ -369,7 +370,8 @@ TEST_CASE("what a fillet takes off is no hole") {
                      {"Fillet", Effect::removes, {together({rounding(0, radius), rounding(100, radius)})}, {}}});
     };
     CHECK(change_of(diff(plate(4), plate(5)), "Fillet").detail.in_english() ==
-          "2 of 2 pieces reshaped at x 2.5, y 2.5 (radius 4 -> 5 mm), at x 97.5, y 2.5 (radius 4 -> 5 mm)");
+          "2 of 2 pieces reshaped at x 2.5 mm, y 2.5 mm (radius 4 mm -> 5 mm), at x 97.5 mm, y 2.5 mm (radius 4 mm -> "
+          "5 mm)");
 }
 
 TEST_CASE("a mirrored instance moves with its original, and is no moved original itself") {

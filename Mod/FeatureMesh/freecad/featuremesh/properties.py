@@ -28,16 +28,19 @@ _IDENTITY = _entries_of(_matrix_of(FreeCAD.Placement()))
 
 # Types of sketch constraints that have a value.
 DIMENSIONS = ("Distance", "DistanceX", "DistanceY", "Radius", "Diameter", "Angle", "Weight", "SnellsLaw")
+_WITHOUT_UNIT = ("Weight", "SnellsLaw")
 _SKIPPED_LINKS = ("_Body", "Origin", "ExpressionEngine", "Proxy", "_ChildCache", "_CopyOnChangeControl")
 _SKIPPED_PARAMETERS = ("Visibility", "Label2", "Placement")
 # Status of a property that one object has and others of its type may not.
 _DYNAMIC = frozenset((21, "PropDynamic"))
-_VECTOR_TYPES = ("App::PropertyVector", "App::PropertyVectorDistance", "App::PropertyPosition", "App::PropertyDirection")
+_VECTOR_TYPES = ("App::PropertyVector", "App::PropertyDirection")
+_POSITION_TYPES = ("App::PropertyVectorDistance", "App::PropertyPosition")
 _NUMBER_TYPES = ("App::PropertyFloat", "App::PropertyInteger", "App::PropertyQuantity", "App::PropertyLength",
                  "App::PropertyDistance", "App::PropertyAngle", "App::PropertyArea", "App::PropertyVolume",
                  "App::PropertyPrecision", "App::PropertyPercent", "App::PropertyBool", "App::PropertySpeed",
                  "Spreadsheet::PropertySpreadsheetQuantity")
 _NUMBERS = (float, int, FreeCAD.Units.Quantity)
+_MEASURES = {"Length": "length", "Angle": "angle"}   # by what FreeCAD calls a unit
 
 
 class Properties:
@@ -71,18 +74,21 @@ class Properties:
         return [(name, target, sub) for name in self._links for target, sub in _link_targets(property_of(obj, name))]
 
     def parameters(self, obj):
-        """Numeric and boolean parameters (mm, degrees) and enumerations, two dicts."""
-        numbers, texts = {}, {}
+        """Numeric and boolean parameters (mm, degrees), enumerations, and which of the numbers are a "length" or an "angle", three dicts."""
+        numbers, texts, measures = {}, {}, {}
         is_sheet = self.kind == "Spreadsheet::Sheet"
         for name in self._numbers:
             value = property_of(obj, name)
             if isinstance(value, _NUMBERS):
-                numbers[(obj.getAlias(name) or name) if is_sheet else name] = float(value)
+                key = (obj.getAlias(name) or name) if is_sheet else name
+                numbers[key] = float(value)
+                if isinstance(value, FreeCAD.Units.Quantity) and (measure := _MEASURES.get(value.Unit.Type)):
+                    measures[key] = measure
         for name in self._texts:
             texts[name] = str(property_of(obj, name))
         for name, add in self._others:
-            add(numbers, name, property_of(obj, name))
-        return numbers, texts
+            add(numbers, measures, name, property_of(obj, name))
+        return numbers, texts, measures
 
 
 # What properties are read for, by type of object and name: those that all objects of the type have. Those of a single
@@ -127,6 +133,8 @@ def _use_of(kind):
         return "number"
     if kind in _VECTOR_TYPES:
         return "vector"
+    if kind in _POSITION_TYPES:
+        return "position"
     return {"App::PropertyPlacement": "placement", "Part::PropertyFilletEdges": "fillets"}.get(kind, "nothing")
 
 
@@ -157,29 +165,43 @@ def _link_targets(value):
             yield from _link_targets(entry)
 
 
-def _add_vector(numbers, name, vector):
+def _add_vector(numbers, _, name, vector):
     numbers[name + ".x"], numbers[name + ".y"], numbers[name + ".z"] = vector
 
 
-def _add_placement(numbers, name, placement):
+def _add_position(numbers, measures, name, position):
+    for axis, value in zip("xyz", position):
+        _add(numbers, measures, "%s.%s" % (name, axis), value, "length")
+
+
+def _add_placement(numbers, measures, name, placement):
     rotation = _rotation_of(placement)
-    _add_vector(numbers, name + ".Base", _base_of(placement))
-    _add_vector(numbers, name + ".Axis", _axis_of(rotation))
-    numbers[name + ".Angle"] = math.degrees(_angle_of(rotation))
+    _add_position(numbers, measures, name + ".Base", _base_of(placement))
+    _add_vector(numbers, measures, name + ".Axis", _axis_of(rotation))
+    _add(numbers, measures, name + ".Angle", math.degrees(_angle_of(rotation)), "angle")
 
 
-def _add_fillets(numbers, name, edges):
+def _add_fillets(numbers, measures, name, edges):
     for index, first, second in edges:
-        numbers["%s.Edge%d.first" % (name, index)] = float(first)
-        numbers["%s.Edge%d.second" % (name, index)] = float(second)
+        _add(numbers, measures, "%s.Edge%d.first" % (name, index), float(first), "length")
+        _add(numbers, measures, "%s.Edge%d.second" % (name, index), float(second), "length")
 
 
-def _add_constraints(numbers, _, constraints):
+def _add_constraints(numbers, measures, _, constraints):
     for index, constraint in enumerate(constraints):
         if constraint.Type not in DIMENSIONS:
             continue
-        value = constraint.Value
-        numbers[constraint.Name or "Constraint%d" % (index + 1)] = math.degrees(value) if constraint.Type == "Angle" else float(value)
+        name, value = constraint.Name or "Constraint%d" % (index + 1), float(constraint.Value)
+        if constraint.Type == "Angle":
+            _add(numbers, measures, name, math.degrees(value), "angle")
+        elif constraint.Type in _WITHOUT_UNIT:
+            numbers[name] = value
+        else:
+            _add(numbers, measures, name, value, "length")
 
 
-_ADD = {"constraints": _add_constraints, "vector": _add_vector, "placement": _add_placement, "fillets": _add_fillets}
+def _add(numbers, measures, name, value, measure):
+    numbers[name], measures[name] = value, measure
+
+
+_ADD = {"constraints": _add_constraints, "vector": _add_vector, "position": _add_position, "placement": _add_placement, "fillets": _add_fillets}

@@ -339,7 +339,7 @@ def _record(obj, walk, shapes, keys, home):
     volume = None if _gives_no_volume(obj, kind) else properties.value(obj, "AddSubShape")
     is_hidden = _is_reference(obj, kind) and obj in walk.parents   # what is meshed itself is shown
     shown = None if is_hidden else walk.parents[obj] if _is_shown_by_body(obj, volume, walk) else obj
-    numbers, texts = properties.parameters(obj)
+    numbers, texts, measures = properties.parameters(obj)
     whole = own if frame.isIdentity() else frame.multiply(own)
     place = matrix_entries(own)
     record = {
@@ -352,6 +352,7 @@ def _record(obj, walk, shapes, keys, home):
         "global_placement": list(place) if whole is own else matrix_entries(whole),
         "numbers": numbers,
         "texts": texts,
+        "measures": measures,
         "shape": shapes.add_of(shown, walk.frames),
         "own_volume": shapes.add(volume, whole),
         "suppressed": bool(properties.value(obj, "Suppressed")),

@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import tables
-from ..user_words import are_lengths_in_mm, as_shown, in_users_units, in_words
+from ..user_words import as_shown, in_users_units, in_words
 from ..view_provider import drawn_icon
 from . import narrow
 from .showing import restore, show_part
@@ -32,8 +32,7 @@ def show_tree(part, found):
 def show_difference(part, found):
     """Shows what changed, feature by feature and below them face by face; `part` is the new state."""
     header, rows = tables.rows_of_difference(found)
-    how_much = header[2] if are_lengths_in_mm() else header[2] + " (mm)"   # numbers of the part itself, which the engine says
-    header = [*header[:2], how_much, translate("FeatureMesh", "volume"), *header[4:]]   # which is in the user's units
+    header = [*header[:3], translate("FeatureMesh", "volume"), *header[4:]]   # in the user's units
     title = "%s: %s" % (translate("FeatureMesh", "What changed"), part.Label)
     window = _Window(title, header, tables.difference_note(found), part)
     for row, feature in zip(rows, found["features"]):

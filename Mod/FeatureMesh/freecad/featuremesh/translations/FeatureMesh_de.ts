@@ -719,6 +719,14 @@
       <translation>höchstens {most:count} Millionen werden gemacht</translation>
     </message>
     <message>
+      <source>at {place:messages}</source>
+      <translation>bei {place:messages}</translation>
+    </message>
+    <message>
+      <source>at {place:messages} (radius {before:length} -&gt; {after:length})</source>
+      <translation>bei {place:messages} (Radius {before:length} → {after:length})</translation>
+    </message>
+    <message>
       <source>base</source>
       <translation>Basis</translation>
     </message>
@@ -1393,6 +1401,18 @@
       <translation>Volumen mm^3</translation>
     </message>
     <message>
+      <source>x {x:length}</source>
+      <translation>x {x:length}</translation>
+    </message>
+    <message>
+      <source>y {y:length}</source>
+      <translation>y {y:length}</translation>
+    </message>
+    <message>
+      <source>z {z:length}</source>
+      <translation>z {z:length}</translation>
+    </message>
+    <message>
       <source>{anew:count} of {all:count} {all:element|elements} {anew:does|do} not fit the part and {anew:was|were} made anew: {reasons:messages}</source>
       <translation>{anew:count} von {all:count} {all:Element|Elementen} {anew:passt|passen} nicht zum Bauteil und {anew:wurde|wurden} neu gemacht: {reasons:messages}</translation>
     </message>
@@ -1415,6 +1435,22 @@
     <message>
       <source>%s and %d more</source>
       <translation>%s und %d weitere</translation>
+    </message>
+    <message>
+      <source>{count:count} of {all:count} {all:hole|holes}</source>
+      <translation>{count:count} von {all:count} {all:Bohrung|Bohrungen}</translation>
+    </message>
+    <message>
+      <source>{count:count} of {all:count} {all:piece|pieces}</source>
+      <translation>{count:count} von {all:count} {all:Stück|Stücken}</translation>
+    </message>
+    <message>
+      <source>{count:count} {count:hole|holes}</source>
+      <translation>{count:count} {count:Bohrung|Bohrungen}</translation>
+    </message>
+    <message>
+      <source>{count:count} {count:piece|pieces}</source>
+      <translation>{count:count} {count:Stück|Stücke}</translation>
     </message>
     <message>
       <source>{document:text} is no open document</source>
@@ -1495,6 +1531,14 @@
     <message>
       <source>{mesh:text} has no mesh yet; recompute the document first</source>
       <translation>{mesh:text} hat noch kein Netz; zuerst das Dokument neu berechnen</translation>
+    </message>
+    <message>
+      <source>{motion:messages} from {before:messages} to {after:messages}</source>
+      <translation>{motion:messages} von {before:messages} nach {after:messages}</translation>
+    </message>
+    <message>
+      <source>{name:text} {before:number} deg -&gt; {after:number} deg</source>
+      <translation>{name:text} {before:number}° → {after:number}°</translation>
     </message>
     <message>
       <source>{nodes:count} {nodes:boundary node is|boundary nodes are} off the surface</source>
@@ -1721,6 +1765,18 @@
       <translation>{path:text}: der Bereich von {parameter:text} besteht aus zwei Zahlen</translation>
     </message>
     <message>
+      <source>{pieces:messages} added {places:messages}</source>
+      <translation>{pieces:messages} hinzugefügt {places:messages}</translation>
+    </message>
+    <message>
+      <source>{pieces:messages} removed {places:messages}</source>
+      <translation>{pieces:messages} entfernt {places:messages}</translation>
+    </message>
+    <message>
+      <source>{pieces:messages} reshaped {places:messages}</source>
+      <translation>{pieces:messages} umgeformt {places:messages}</translation>
+    </message>
+    <message>
       <source>{place:text}, where a response is asked for, has no face and no element of the part</source>
       <translation>{place:text}, wo nach einer Zielgröße gefragt ist, hat keine Fläche und kein Element des Bauteils</translation>
     </message>
@@ -1851,6 +1907,10 @@
     <message>
       <source>{target:text} is no number, switch or choice ({kind:text}), it cannot be set this way</source>
       <translation>{target:text} ist keine Zahl, kein Schalter und keine Auswahl ({kind:text}) und kann so nicht gesetzt werden</translation>
+    </message>
+    <message>
+      <source>{these:messages} and {more:count} more</source>
+      <translation>{these:messages} und {more:count} weitere</translation>
     </message>
     <message>
       <source>{triangles:count} {triangles:boundary triangle lies|boundary triangles lie} on no face</source>
