@@ -417,6 +417,12 @@ def check_undone(document, analysis, mesh):
     name = live.Name
     wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
     panel("LivePanel").reject()
+    known = document.UndoNames
+    live.ViewObject.hide()
+    click_button_of("FeatureMesh_LiveResult")
+    wait_for(Gui.Control.activeDialog, 20)
+    panel("LivePanel").reject()
+    assert document.UndoNames == known, document.UndoNames   # to look at it again is nothing to undo
     result = live.Result
     for take_away, bring_back in (("Std_Undo", "Std_Redo"), ("Std_Delete", "Std_Undo")):
         assert is_seen(lambda: document.getObject(name), mesh), take_away

@@ -137,6 +137,19 @@ class Live(Case):
         self.document.recompute()
         self.check_is_fresh(analysis, live)
 
+    def test_a_load_whose_face_is_gone_says_so(self):
+        """FreeCAD cannot recompute it either, "Index out of bound"."""
+        body = plate_with_hole(self.document)
+        analysis = self.analysis()
+        self.fix(analysis, body, faces_at(body, 0, 0))
+        round_face = next("Face%d" % number for number, face in enumerate(body.Shape.Faces, 1) if type(face.Surface).__name__ == "Cylinder")
+        self.force(analysis, body, [round_face])
+        self.mesh(body, 8)
+        live = api.live_result(analysis)
+        body.Tip = self.document.Plate
+        self.document.recompute()
+        self.assertIn("refers to %s, which is gone" % round_face, live.Status)
+
     def test_an_error_fails_the_mesh_when_it_is_new(self):
         """One that stays is no reason to fail what was meshed anew since; one that comes again after undo is."""
         body = plate_with_hole(self.document)

@@ -6,7 +6,7 @@ import threading
 
 import FreeCAD
 
-from . import analyses, engine, mesh_object, messages, recompute_errors, results, solve_guard, state, statics, statics_model, statics_result, user_words
+from . import analyses, engine, mesh_object, messages, recompute_errors, references, results, solve_guard, state, statics, statics_model, statics_result, user_words
 from .errors import StateError, UserError
 from .messages import said
 from .mesh_properties import failed
@@ -270,11 +270,16 @@ def has_result(live):
     return live.Result is not None or live.Proxy.solution is not None
 
 
+def of_analysis(analysis):
+    """The live result of an analysis, None where it has none."""
+    return next(filter(is_live_result, analysis.Group), None)
+
+
 def add(analysis):
     """The live result of an analysis, made where it has none."""
-    for member in analysis.Group:
-        if is_live_result(member):
-            return member
+    known = of_analysis(analysis)
+    if known is not None:
+        return known
     live = analysis.Document.addObject("Fem::FeaturePython", "Live")
     live.Label = translate("FeatureMesh", "Live result")
     LiveResult(live)
@@ -301,12 +306,14 @@ def _outdate(live):
 
 
 def _fail(document, objects):
-    """The result of an analysis with a member that FreeCAD could not recompute is that of before the edit."""
+    """The result of an analysis with a member that FreeCAD could not recompute is that of before the edit. What lost its faces is in error for that reason."""
     for live in filter(is_live_result, document.Objects):
         error = recompute_errors.first_error([member for member in live.Members if not mesh_object.is_feature_mesh(member)], objects)
         if error is not None:
+            analysis = live.Proxy.analysis(live)
+            lost = next((sentence for member, sentence in references.unmended(analysis) if member in objects), "") if analysis is not None else ""
             _outdate(live)
-            live.Proxy.fail(live, error)
+            live.Proxy.fail(live, UserError(lost) if lost else error)
 
 
 _observer = None

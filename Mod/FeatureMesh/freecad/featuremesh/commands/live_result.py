@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import contextlib
+
 import FemGui
 import FreeCADGui as Gui
 
-from .. import api, statics
+from .. import api, live_result, statics
+from ..gui.undo import undo_step
 from .base import MeshCommand
 
 
@@ -10,15 +13,18 @@ class Command(MeshCommand):
     name = "FeatureMesh_LiveResult"
     text = "Live result"
     tooltip = "Solves the analysis after each recompute and shows stresses and displacements in colours"
+    edits = False   # only where it adds one
 
     def is_possible(self, document):
         return any(obj.isDerivedFrom("Fem::FemAnalysis") for obj in document.Objects)
 
     def run(self, document):
         from ..gui.live_panel import LivePanel
-        live = api.live_result(_chosen_analysis(document) or api.find_analysis(document))
-        statics.mesh_of(live.Proxy.analysis(live))   # throws where there is none
-        Gui.Control.showDialog(LivePanel(live))
+        analysis = _chosen_analysis(document) or api.find_analysis(document)
+        with undo_step(document, self.title) if live_result.of_analysis(analysis) is None else contextlib.nullcontext():
+            live = api.live_result(analysis)
+            statics.mesh_of(live.Proxy.analysis(live))   # throws where there is none
+            Gui.Control.showDialog(LivePanel(live))
 
 
 def _chosen_analysis(document):
