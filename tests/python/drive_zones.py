@@ -10,7 +10,7 @@ import numpy as np  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from parts import new_document, plate_with_hole  # noqa: E402
-from window import click, click_button_of, click_in_panel, panel, picture, pixels, spin, wait_for  # noqa: E402
+from window import click, click_button_of, click_in_panel, is_whole, panel, picture, pixels, spin, wait_for  # noqa: E402
 
 
 def orange_pixels():
@@ -140,6 +140,13 @@ def check_distance(document, body, mesh):
     Gui.Selection.clearSelection()
     click(settings.choose)   # nothing is selected
     assert "select faces" in window.messages[-1] and settings.references.text() == "Face%d" % hole, window.messages
+    for number in range(1, 13):
+        Gui.Selection.addSelection(body, "Edge%d" % number)
+    click(settings.choose)
+    picture("zone_of_many")
+    assert is_whole(settings.form), settings.form.width()
+    assert settings.references.text() == "Edge1, Edge2, Edge3, Edge4, Edge5, Edge6 and 6 more", settings.references.text()
+    Gui.Selection.clearSelection()
     Gui.Selection.addSelection(body, "Edge1")
     Gui.Selection.addSelection(body, "Vertex1")
     click(settings.choose)

@@ -6,6 +6,8 @@ import FreeCADGui as Gui
 from PySide import QtGui
 
 from .. import api, size_zone, versions
+from ..messages import said
+from ..user_words import in_words
 from ..view_provider import drawn_icon
 from . import driven, errors, freecad_widget, narrow, showing, wheel
 
@@ -37,6 +39,7 @@ class ZonePanel:
 
     def _build(self):
         self.rows = QtGui.QFormLayout(self.form)
+        narrow.margins(self.rows)
         if self.mesh is None:
             self.rows.addRow(narrow.Words(translate("FeatureMesh", "This is in no mesh. Drag it to one in the tree.")))
         self.kind = QtGui.QComboBox()
@@ -52,7 +55,7 @@ class ZonePanel:
         self.choose = choose
         choose.setEnabled(self.mesh is not None)
         self.rows.addRow(translate("FeatureMesh", "From"), self.references)
-        self.rows.addRow("", choose)
+        self.rows.addRow(choose)
         self.lengths = {}
         for name, label in _ROWS.items():
             widget = self._spin(getattr(self.zone, name).Value, lambda _, name=name: self._take_length(name))
@@ -114,7 +117,7 @@ class ZonePanel:
             if label is not None:
                 label.setVisible(is_visible)
         names = [name for _, subs in self.zone.References or () for name in subs]
-        self.references.setText(", ".join(names) or translate("FeatureMesh", "nothing yet: select faces, edges or vertices"))
+        self.references.setText(in_words(said("{places:entities}", places=names)) if names else translate("FeatureMesh", "nothing yet: select faces, edges or vertices"))
 
     def _take_kind(self, index):
         size_zone.change_kind(self.zone, size_zone.KINDS[index])
