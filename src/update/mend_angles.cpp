@@ -173,29 +173,29 @@ double most_tets_for(std::size_t tets) {
 
 class AngleMender {
   public:
-    AngleMender(const Brep& brep, MeshOptions options, std::span<const SizeSource> sources, Filled& whole,
+    AngleMender(const Brep& brep, MeshOptions options, std::span<const SizeSource> sources, Filled& filled,
                 MeshOrigin* origin, std::vector<Round>& rounds, RunContext& context)
         : brep_(brep),
           options_(std::move(options)),
           sources_(sources.begin(), sources.end()),
-          whole_(whole),
+          filled_(filled),
           origin_(origin),
-          most_tets_(most_tets_for(whole.mesh.tets.size())),
+          most_tets_(most_tets_for(filled.mesh.tets.size())),
           rounds_(rounds),
           context_(context) {
-        options_.sizing.refines_narrow_faces = whole.refines_narrow_faces;
-        options_.volume.smallest_asked = whole.sizing->smallest();
+        options_.sizing.refines_narrow_faces = filled.refines_narrow_faces;
+        options_.volume.smallest_asked = filled.sizing->smallest();
         options_.volume.moves_kept_nodes = true;
-        sources_.insert(sources_.end(), whole.shorter.begin(), whole.shorter.end());
+        sources_.insert(sources_.end(), filled.shorter.begin(), filled.shorter.end());
         if (origin) first_tets_ = std::size_t(std::count(origin->elements.begin(), origin->elements.end(), -1));
         filled_tets_ = first_tets_;
     }
 
     void run() {
-        std::vector<SmallTet> small = small_tets(whole_.mesh, origin_);
-        if (small.empty() || small.size() > std::max(few_tets, whole_.mesh.tets.size() / one_tet_in)) return;
+        std::vector<SmallTet> small = small_tets(filled_.mesh, origin_);
+        if (small.empty() || small.size() > std::max(few_tets, filled_.mesh.tets.size() / one_tet_in)) return;
         field_ = make_sizing(brep_, options_.sizing, sources_, context_);
-        const std::size_t rounds = std::max<std::size_t>(1, most_tets_again / whole_.mesh.tets.size());
+        const std::size_t rounds = std::max<std::size_t>(1, most_tets_again / filled_.mesh.tets.size());
         for (std::size_t round = 0; round < rounds && rounds_.size() < most_rounds && !is_dear(); ++round) {
             const std::vector<Place> places = places_to_mend(small);
             if (places.empty() || !fill_again(places, small)) return;
@@ -205,7 +205,7 @@ class AngleMender {
   private:
     /// An update is to stay cheap beside a filling of the whole part.
     bool is_dear() const {
-        return origin_ && filled_tets_ > std::min(std::max(2 * first_tets_, cheap_tets), whole_.mesh.tets.size());
+        return origin_ && filled_tets_ > std::min(std::max(2 * first_tets_, cheap_tets), filled_.mesh.tets.size());
     }
 
     /// Those where it failed come last, and are left after some tries.
@@ -240,20 +240,20 @@ class AngleMender {
         const SizingField shorter = make_sizing(brep_, options_.sizing, sources, context_);
         Kept kept = kept_beside(places, shorter);
         if (kept.node_origin.empty()) return false;
-        const SolidId first = whole_.mesh.tet_solids[places.front().tets.front().tet.index()];
+        const SolidId first = filled_.mesh.tet_solids[places.front().tets.front().tet.index()];
         rounds_.push_back({"small angles", as_parameter(first), "shorter edges there", {}});
         MeshOrigin origin{std::move(kept.node_origin), std::move(kept.tet_origin)};
         const std::size_t kept_tets = kept.mesh.tets.size(), first_round = rounds_.size();
         auto filled = fill_part(brep_, shorter, std::move(kept), options_, sources, rounds_, context_);
         auto* again = std::get_if<Filled>(&filled);
-        const std::size_t tets = again ? again->mesh.tets.size() : whole_.mesh.tets.size();
+        const std::size_t tets = again ? again->mesh.tets.size() : filled_.mesh.tets.size();
         filled_tets_ += (tets - std::min(tets, kept_tets)) * (1 + rounds_.size() - first_round);
         if (again && origin_)
-            origin = through(*origin_, origin_of(*again, std::move(origin), whole_.mesh, tets, context_));
+            origin = through(*origin_, origin_of(*again, std::move(origin), filled_.mesh, tets, context_));
         auto now = small_tets_of(again, origin_ ? &origin : nullptr);
         if (!is_gain(places, small, now ? *now : small)) return true;
         small = *std::move(now);
-        whole_.mesh = std::move(again->mesh);
+        filled_.mesh = std::move(again->mesh);
         if (origin_) *origin_ = std::move(origin);
         sources_ = std::move(sources);
         field_ = shorter;
@@ -267,9 +267,9 @@ class AngleMender {
     }
 
     Kept kept_beside(const std::vector<Place>& places, const SizingField& shorter) const {
-        const FeatureDifference difference = nothing_but(changed_at(brep_, whole_.mesh, places), brep_);
+        const FeatureDifference difference = nothing_but(changed_at(brep_, filled_.mesh, places), brep_);
         const double margin = margin_of_first_try * double(1 + tries(places.front()));
-        return keep({whole_.mesh,
+        return keep({filled_.mesh,
                      brep_,
                      brep_,
                      difference,
@@ -302,7 +302,7 @@ class AngleMender {
     std::vector<SizeSource> sources_;  ///< the field's own, and what was asked for since
     std::optional<SizingField> field_;
     std::vector<Box> failed_;  ///< places
-    Filled& whole_;
+    Filled& filled_;
     MeshOrigin* origin_;                            ///< of its mesh
     std::size_t first_tets_ = 0, filled_tets_ = 0;  ///< by the first filling, and by all
     double most_tets_;

@@ -259,7 +259,7 @@ class EntityGroups:
         on_vertex = np.flatnonzero(arrays["entities"][:, 0] == 0)
         for node in on_vertex:
             self._nodes["Vertex%d" % (arrays["entities"][node, 1] + 1)] = numbers[[node]]
-        self._share_nodes(arrays["shared_nodes"])
+        self._shared = self._share_nodes(arrays["shared_nodes"])
 
     def elements(self, name):
         """Numbers of the elements of that entity (empty for a vertex or an unknown name)."""
@@ -272,6 +272,10 @@ class EntityGroups:
             used = np.unique(self._connectivity[kind][rows])
             self._nodes[name] = self._arrays["node_numbers"][used]
         return self._nodes.get(name, np.empty(0, dtype=np.int64))
+
+    def names_without_elements(self):
+        """Of the edges and faces that share all their nodes with others."""
+        return {name for name in self._shared if name not in self._elements and not name.startswith("Vertex")}
 
     def all_elements(self):
         """Numbers of all tets."""
@@ -301,11 +305,14 @@ class EntityGroups:
         return groups
 
     def _share_nodes(self, shared):
-        """What has no elements of its own has the nodes of what stands in its place."""
+        """What has no elements of its own has the nodes of what stands in its place. The names of all such."""
+        names = []
         for dimension, index in np.unique(shared[:, :2], axis=0):
             name = "%s%d" % (("Vertex", "Edge", "Face")[dimension], index + 1)
             nodes = shared[(shared[:, 0] == dimension) & (shared[:, 1] == index), 2]
             self._nodes[name] = np.union1d(self.nodes(name), self._arrays["node_numbers"][nodes])
+            names.append(name)
+        return names
 
     def _collect(self, kind, connected, owners, numbers):
         if not len(connected):

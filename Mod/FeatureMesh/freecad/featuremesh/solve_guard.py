@@ -7,10 +7,10 @@ as ever.
 """
 
 import FreeCAD
-import numpy as np
 
 from . import analyses, assembled, history, references, resolving, results, versions
 from .errors import UserError
+from .hand_over import EntityGroups
 from .messages import said
 from .reading import dependencies, describe
 from .user_words import in_words
@@ -67,7 +67,7 @@ def _clicked_elsewhere(analysis, mesh):
 def _without_elements(analysis, mesh):
     """A load on nothing but what is too small for elements would be left out of the input."""
     source = analyses.source_of(mesh)
-    small = _names_without_elements(source.Proxy.arrays(source)) if source is not None else ()
+    small = EntityGroups(source.Proxy.arrays(source)).names_without_elements() if source is not None else ()
     resolver = resolving.Resolver(versions.part_of(source)) if small else None
     for member in analysis.Group if small else ():
         if hasattr(member, "References") and not any(member.isDerivedFrom(kind) for kind in _ON_NODES):
@@ -75,13 +75,6 @@ def _without_elements(analysis, mesh):
             if names and not foreign and small.issuperset(names):
                 return in_words(said(references.ACTS_ON_NOTHING, object=member.Label, places=names))
     return ""
-
-
-def _names_without_elements(arrays):
-    """Of the edges and faces that share all their nodes with others."""
-    owners = {1: ("Edge", arrays["segment_edges"]), 2: ("Face", arrays["triangle_faces"])}
-    return {owners[dimension][0] + str(index + 1) for dimension, index in np.unique(arrays["shared_nodes"][:, :2], axis=0)
-            if dimension > 0 and index not in owners[dimension][1]}
 
 
 def _ours_in(document):
