@@ -174,6 +174,16 @@ class Messages(unittest.TestCase):
             "The size of 10 in is larger than 2 in x 1 in x -0.5 in.", "volume 1 in^3 -> 2 in^3", "Face2 has 3 edges, Edge12 mm",
             "node 7 at (1 in, 0 in, -0.1 in)"])
 
+    def test_numbers_that_belong_together_have_one_unit(self):
+        point = messages.said("at {place:point}", place=[508.0, 2.54, 0.0])   # 20 in and 0.1 in
+        self.addCleanup(FreeCAD.Units.setSchema, 0)
+        for schema, words in ((2, "at (1.6667 ft, 0.0083333 ft, 0 ft)"), (3, "at (20 in, 0.1 in, 0 in)")):
+            FreeCAD.Units.setSchema(schema)   # of US customary units, FreeCAD takes feet for the first and inches for the others
+            self.assertEqual(user_words.in_words(point), words)
+        FreeCAD.Units.setSchema(2)
+        self.assertEqual(user_words.in_words("Hole4X 101.6 -> 508 mm"), "Hole4X 0.33333 ft -> 1.6667 ft")
+        self.assertEqual(user_words.in_words("50.8 x 25.4 x 0.254 mm"), "2 in x 1 in x 0.01 in")
+
     def test_figures_are_written_as_people_write_them(self):
         for value, digits, text in ((16500.4, 4, "16500"), (-99999.7, 5, "-100000"), (1e12, 4, "1e+12"), (0.00012345, 3, "0.000123"), (0.0, 4, "0")):
             self.assertEqual(messages.figure(value, digits), text)

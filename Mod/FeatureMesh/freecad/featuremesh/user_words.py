@@ -14,6 +14,7 @@ _IN_MM = (0, 6, 8)
 _NUMBER = r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 # "2.5 mm", "40 x 10 x 10 mm", "80 -> 90 mm^3" and "(1, 2, 3) mm"; not the 2 of "Edge2 mm" nor of "1.2.3".
 _QUANTITY = re.compile(r"(?<![\w.])(?P<numbers>(?:{0}(?: x | -> | → ))*{0}|\({0}(?:, {0})*\)) (?P<unit>mm(?:\^[23])?)(?![\w^])".format(_NUMBER))
+_READABLE = {'"': "in", "'": "ft"}   # beside the quotes of names and the signs of points
 _DECIMAL = re.compile(r"(\d)\.(\d)")
 _ALSO_SAID = (QT_TRANSLATE_NOOP("FeatureMesh", "%s and %d more"), QT_TRANSLATE_NOOP("FeatureMesh", "the inside"))   # by messages.py
 
@@ -53,13 +54,12 @@ def unit_of(unit):
 
 
 def _converted(found):
-    def shown(number):
-        _, factor, name = quantity(number.group()).getUserPreferred()
-        return "%.5g %s" % (quantity(number.group()).Value / factor, name)   # FreeCAD itself would show 0.04 mm as 0.00 in
-
+    """Numbers that belong together, such as a point's, get one unit: that of the largest, where FreeCAD would take inches for one and feet for another."""
     def quantity(number):
         return FreeCAD.Units.Quantity("%s %s" % (number, found.group("unit")))
-    return re.sub(_NUMBER, shown, found.group("numbers"))
+    _, factor, name = max(map(quantity, re.findall(_NUMBER, found.group("numbers"))), key=lambda each: abs(each.Value)).getUserPreferred()
+    # FreeCAD itself would show 0.04 mm as 0.00 in.
+    return re.sub(_NUMBER, lambda number: "%.5g %s" % (quantity(number.group()).Value / factor, _READABLE.get(name, name)), found.group("numbers"))
 
 
 _WORDS = messages.Words(lambda words: FreeCAD.Qt.translate("FeatureMesh", words), in_users_units, as_shown)
