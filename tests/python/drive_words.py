@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the panels show of long and odd labels, in narrow columns, in inches and with decimal commas. Run by test_window.py with the bracket."""
+"""What the panels show of long and odd labels, in narrow columns, in inches and with decimal commas, and what they read. Run by test_window.py with the bracket."""
 import json
 import os
 import sys
@@ -125,11 +125,16 @@ def check_dimensions():
     close()
 
 
+def go_to(field):
+    """The next keys are for that field."""
+    QtGui.QApplication.setActiveWindow(Gui.getMainWindow())   # there is no window manager
+    field.setFocus()
+    spin()
+
+
 def type_place(cut, text):
     """In place of what the field has, key by key, and Tab."""
-    QtGui.QApplication.setActiveWindow(Gui.getMainWindow())   # there is no window manager
-    cut.place.setFocus()
-    spin()
+    go_to(cut.place)
     send_key(cut.place, QtCore.Qt.Key_A, QtCore.Qt.ControlModifier)
     for letter in text:
         send_key(cut.place, 0, QtCore.Qt.NoModifier, letter)
@@ -202,6 +207,30 @@ def check_commas(body, path):
     QtCore.QLocale.setDefault(QtCore.QLocale.c())
 
 
+def check_typed_lengths(mesh):
+    """What a length was read as is shown when its field is left, and is not rounded to what is shown."""
+    mesh.ViewObject.doubleClicked()
+    spin()
+    settings = panel("MeshPanel")
+    shown = {"3,5": "35.00 mm", "1,5 in": "381.00 mm"}   # in English
+    for typed, text in shown.items():
+        go_to(settings.size)
+        window.type_into(settings.size, typed)
+        assert settings.size.property("text") == text, (typed, settings.size.property("text"))
+    close("Cancel")
+    count_in(mesh.Document, 3)
+    mesh.ViewObject.doubleClicked()
+    spin()
+    settings = panel("MeshPanel")
+    for typed, size in (("0.3125", 7.9375), ("0.002 in", 0.0508)):
+        settings._write(settings.size, 8.0)
+        go_to(settings.size)
+        window.type_into(settings.size, typed)
+        assert abs(settings.settings()["Size"] - size) < 1e-9, (typed, settings.settings()["Size"])
+    close("Cancel")
+    count_in(mesh.Document, 0)
+
+
 def count_in(document, schema):
     """FreeCAD's number of a unit scheme; since 1.0 each document has its own, too."""
     if hasattr(document, "UnitSystem"):
@@ -223,6 +252,7 @@ def drive():
     check_boxes(body, mesh)
     check_remarks(mesh)
     check_cut()
+    check_typed_lengths(mesh)
     count_in(document, 3)   # inches with decimals
     check_dimensions()
     check_difference(body, path)

@@ -25,8 +25,7 @@ class CutBox(QtGui.QGroupBox):
         self.axis.setCurrentIndex(2)
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.slider.setRange(0, _STEPS)
-        self.place = freecad_widget.made("Gui::QuantitySpinBox")   # in the user's units
-        self.place.setProperty("unit", "mm")
+        self.place = freecad_widget.length_field()
         self.place.setProperty("keyboardTracking", False)
         self.place.setMinimumWidth(60)   # the panel may be narrow
         self.above = QtGui.QCheckBox(translate("FeatureMesh", "keep the other side"))

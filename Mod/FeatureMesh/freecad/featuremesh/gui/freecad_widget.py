@@ -2,6 +2,7 @@
 """Widgets of FreeCAD's own, such as its fields for quantities."""
 
 import FreeCADGui as Gui
+from PySide import QtCore
 
 
 def made(kind):
@@ -18,3 +19,19 @@ def made(kind):
         except RuntimeError:
             continue
         return widget
+
+
+def length_field():
+    """A field for a length: a bare number is one in the user's unit, `rawValue` is in mm."""
+    field = made("Gui::QuantitySpinBox")
+    field.setProperty("unit", "mm")
+    field.editingFinished.connect(lambda: _show_what_was_read(field))
+    return field
+
+
+def _show_what_was_read(field):
+    """FreeCAD reads "3,5" as 35 where it counts in English, and 0.20 shows what was typed even when the field is left."""
+    if QtCore.QLocale().groupSeparator() in field.property("text"):
+        was_blocked = field.blockSignals(True)
+        field.setProperty("rawValue", field.property("rawValue"))
+        field.blockSignals(was_blocked)

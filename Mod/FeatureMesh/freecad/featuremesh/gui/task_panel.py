@@ -47,6 +47,7 @@ class MeshPanel:
         self.job = None
         self._estimate = None
         self._written = {}   # field -> (its Qt property, what was written into that, the text that it shows for it)
+        self._typed = {}   # field -> what was typed in place of that
         self._raw = None   # the part as it was read for the last estimate, until it is edited
         self._told_of = None   # the settings that the object's status is about
         self.form = narrow.Form()
@@ -187,13 +188,12 @@ class MeshPanel:
 
     def _length(self, name, length=None):
         """The field of a property, with its value or that length in mm."""
-        widget = freecad_widget.made("Gui::QuantitySpinBox")
-        widget.setProperty("unit", "mm")
+        widget = freecad_widget.length_field()
         widget.setProperty("minimum", 0.0)
         self._write(widget, getattr(self.mesh, name).Value if length is None else length)
         widget.setMinimumWidth(70)
         widget.setToolTip(self._tooltip(name))
-        widget.valueChanged.connect(self._settings_changed)
+        widget.valueChanged.connect(lambda _: self._type(widget))
         return widget
 
     def _write(self, widget, value, kind="rawValue"):
@@ -201,11 +201,16 @@ class MeshPanel:
         widget.setProperty(kind, value)
         widget.blockSignals(False)
         self._written[widget] = kind, value, widget.property("text")
+        self._typed.pop(widget, None)
+
+    def _type(self, widget):
+        kind, value, text = self._written[widget]
+        self._typed[widget] = value if widget.property("text") == text else widget.property(kind)
+        self._settings_changed()
 
     def _value_in(self, widget):
-        """Lengths are in mm. A field rounds to what it shows, 8 mm to 0.31 in; what was written counts as long as nothing else is typed."""
-        kind, value, text = self._written[widget]
-        return value if widget.property("text") == text else widget.property(kind)
+        """Lengths are in mm. A field rounds to what it shows, 8 mm to 0.31 in, also, in FreeCAD 1.1, what was typed when it is left."""
+        return self._typed.get(widget, self._written[widget][1])
 
     def _number(self, name, least, most, step=1.0):
         widget = QtGui.QDoubleSpinBox()
@@ -215,7 +220,7 @@ class MeshPanel:
         self._write(widget, getattr(self.mesh, name), "value")
         widget.setMinimumWidth(70)
         widget.setToolTip(self._tooltip(name))
-        widget.valueChanged.connect(self._settings_changed)
+        widget.valueChanged.connect(lambda _: self._type(widget))
         return widget
 
     # What FreeCAD calls

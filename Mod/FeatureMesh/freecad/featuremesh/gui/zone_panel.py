@@ -74,8 +74,7 @@ class ZonePanel:
             **{"Placement.Base." + axis: (widget,) for axis, widget in zip("xyz", self.place)}, **{name: (widget,) for name, widget in self.lengths.items()}})
 
     def _spin(self, value, changed):
-        widget = freecad_widget.made("Gui::QuantitySpinBox")
-        widget.setProperty("unit", "mm")
+        widget = freecad_widget.length_field()
         widget.setProperty("rawValue", value)
         widget.setMinimumWidth(70)
         widget.valueChanged.connect(changed)
