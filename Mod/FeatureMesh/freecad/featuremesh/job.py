@@ -7,6 +7,7 @@ import numpy as np
 
 from . import engine, log
 from .messages import english, of_error, with_owners
+from .reports import with_details_in_one
 from .worker import WorkerDied
 
 _ELEMENTS = "tets", "tet_mids", "triangles", "triangle_mids", "segments"
@@ -70,7 +71,7 @@ def run_engine(mesh, raw, options, progress):
         error.message = with_owners(of_error(error), lambda names: _owners_in(raw, options, names))
         error.args = (english(error.message),)
         raise
-    said = {name: report[name] for name in ("warnings", "fallback", "rounds")}
+    said = {"warnings": with_details_in_one(report["warnings"]), "fallback": report["fallback"], "rounds": report["rounds"]}
     return part_mesh, {**report, **with_owners(said, part_mesh.labels_of_owners)}
 
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The report of a mesh or an update, as JSON and the user take it."""
 
+from .messages import is_message, said, several
 
-from .messages import is_message, several
+_OF_DETAILS = {"vertices_nearer_than": "vertices", "edges_too_short": "edges", "faces_too_narrow": "faces"}   # the engine's warnings and what they name
 
 
 def add_fallback(report, message):
@@ -13,6 +14,18 @@ def add_fallback(report, message):
 def remarks_of(report):
     """What a report says that the user should know: the fallback, then the warnings."""
     return ([report["fallback"]] if report.get("fallback") else []) + report.get("warnings", [])
+
+
+def with_details_in_one(warnings):
+    """The engine's warnings with those about the vertices, edges and faces of ignored details in one line, in place of the first of them."""
+    about = {line["code"]: line for line in warnings if line["code"] in _OF_DETAILS}
+    if len(about) < 2 or "vertices_nearer_than" not in about:
+        return warnings
+    places = [place for code in reversed(_OF_DETAILS) if code in about for place in about[code]["parameters"][_OF_DETAILS[code]]]
+    line = said("Details smaller than {below:length} have no elements of their own: {places:entities}.",
+                below=about["vertices_nearer_than"]["parameters"]["distance"], places=places)
+    first = warnings.index(next(iter(about.values())))
+    return [*warnings[:first], line, *(other for other in warnings[first:] if other["code"] not in about)]
 
 
 def plain(value):

@@ -431,6 +431,10 @@
       <translation>Einzelheiten des Bauteils, die viel kleiner als die Elemente sind, erzwingen einen Winkel unter 2 Grad an {elements:count} {elements:Element|Elementen}: {details:messages}. Ergebnisse dort sind ungenau. Sie aus den Formelementen entfernen, die sie erzeugen (Skizzenpunkte, die fast zusammenfallen, eine ebenso flache Stufe), oder dort feiner vernetzen.</translation>
     </message>
     <message>
+      <source>Details smaller than {below:length} have no elements of their own: {places:entities}.</source>
+      <translation>Details unter {below:length} haben keine eigenen Elemente: {places:entities}.</translation>
+    </message>
+    <message>
       <source>Engine</source>
       <translation>Rechenprogramm</translation>
     </message>
