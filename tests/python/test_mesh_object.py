@@ -170,7 +170,7 @@ class MeshObject(MeshedPlate):
         self.assert_on_the_part()
 
     def test_colours_of_what_was_kept_and_of_quality(self):
-        with self.assertRaisesRegex(UserError, "meshed from scratch, or not updated"):
+        with self.assertRaisesRegex(UserError, "meshed from scratch, or brought back"):
             api.show_kept(self.mesh)
         self.edit()
         overlay = api.show_kept(self.mesh)

@@ -61,7 +61,7 @@ def kept(mesh):
     part_mesh = mesh.Proxy.last_part_mesh(mesh)
     origin = np.asarray(part_mesh.tet_origin())
     if not len(origin) or not (origin >= 0).any():
-        raise UserError(said("no element of {mesh:text} was kept: it was meshed from scratch, or not updated since the document was opened. Edit the part first",
+        raise UserError(said("no element of {mesh:text} is known to be kept: it was meshed from scratch, or brought back by undo or from a file. Edit the part first",
                              mesh=mesh.Label))
     kept_colour, new_colour, _ = kept_legend()
     is_kept = origin >= 0

@@ -92,6 +92,11 @@ class OverlayPanel(ClosesWithObject):
         self.draw()
         self.marked()
 
+    def slotDeletedObject(self, obj):
+        if obj is self.mesh:
+            obj.ViewObject.Proxy.show(obj, None)   # undo would bring it back with its colours, and no panel that explains them
+        super().slotDeletedObject(obj)
+
     def _follow(self, mesh, name):
         if mesh is self.mesh and name in ("FemMesh", "Status"):
             self._later.start(0)   # when all of the mesh is stored

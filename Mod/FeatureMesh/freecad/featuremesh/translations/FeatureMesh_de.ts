@@ -957,8 +957,8 @@
       <translation>kein Fall hält das ein</translation>
     </message>
     <message>
-      <source>no element of {mesh:text} was kept: it was meshed from scratch, or not updated since the document was opened. Edit the part first</source>
-      <translation>von {mesh:text} blieb kein Element: Es wurde vollständig neu vernetzt oder seit dem Öffnen des Dokuments nicht aktualisiert. Zuerst das Bauteil ändern</translation>
+      <source>no element of {mesh:text} is known to be kept: it was meshed from scratch, or brought back by undo or from a file. Edit the part first</source>
+      <translation>von {mesh:text} ist kein Element als behalten bekannt: Das Netz wurde vollständig neu erzeugt oder kommt vom Rückgängigmachen oder aus einer Datei. Zuerst das Bauteil ändern</translation>
     </message>
     <message>
       <source>no support has a reaction</source>
