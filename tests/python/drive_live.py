@@ -441,13 +441,12 @@ def check_undone(document, analysis, mesh):
 
 
 def check_mesh_deleted(document, mesh):
-    """Behind its live result: the part is seen, and after undo the live result again."""
+    """Behind its live result: FreeCAD asks nothing, the part is seen, and after undo the live result again."""
     from freecad.featuremesh import live_result
     live, part, name = document.Live, document.Body, mesh.Name
     assert live.ViewObject.Visibility and not mesh.ViewObject.Visibility and not part.ViewObject.Visibility
-    document.openTransaction("Delete")
-    document.removeObject(name)
-    document.commitTransaction()
+    asked = window.delete(mesh)
+    assert not asked, asked
     wait_for(lambda: part.ViewObject.Visibility, 20)
     picture("live_mesh_gone")
     Gui.runCommand("Std_Undo")

@@ -111,6 +111,22 @@ def check_double_click(document, mesh):
     assert zone.Suppressed and mesh.TetCount < 0.7 * count, (zone.Suppressed, mesh.TetCount, count)
 
 
+def check_deleted(document, mesh):
+    """FreeCAD does not say that the mesh might break, but of the part it does."""
+    zone, = mesh.MeshRegionList
+    asked = window.delete(zone)
+    assert not asked and not mesh.MeshRegionList, asked
+    document.undo()
+    spin()
+    assert mesh.MeshRegionList
+    asked, = window.delete(document.Body)
+    assert mesh.Label in asked, asked
+    document.undo()
+    document.recompute()
+    spin()
+    assert mesh.Status == "up to date", mesh.Status
+
+
 def check_local_size(document, body, mesh):
     """FEM's own refinement of a face and what its panel's OK meshes are one step of undo, too."""
     count, steps = mesh.TetCount, document.UndoCount
@@ -223,6 +239,7 @@ def drive():
     check_cancel(document, mesh)
     check_sphere(document, mesh)
     check_double_click(document, mesh)
+    check_deleted(document, mesh)
     check_distance(document, body, mesh)
     check_expression(mesh)
     check_panel_is_open(document, mesh)

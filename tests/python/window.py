@@ -189,6 +189,18 @@ def answer_with(text, seen):
     return timer
 
 
+def delete(obj):
+    """FreeCAD's Delete; what it asks is answered with Yes. Returns what it asked."""
+    asked = []
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(obj)
+    timer = answer_with("Yes", asked)
+    Gui.runCommand("Std_Delete")
+    timer.stop()
+    spin()
+    return asked
+
+
 def report_view():
     """What FreeCAD's report view has."""
     return next(view.toPlainText() for view in Gui.getMainWindow().findChildren(QtGui.QTextEdit) if view.objectName() == "Report view"

@@ -48,6 +48,10 @@ class ViewLiveResult(DrawnByUs):
             "FeatureMesh_Failed" if status.startswith("failed") else "FeatureMesh_LiveResultStale"
         return view_provider.kept_icon(name)
 
+    def canDelete(self, obj):
+        """Nothing of its analysis breaks it: it says itself what it lacks then, and undo solves it again."""
+        return True
+
     def updateData(self, live, name):
         if name == "Status":
             live.ViewObject.signalChangeIcon()

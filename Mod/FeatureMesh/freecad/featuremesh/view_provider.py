@@ -76,6 +76,10 @@ class ViewFeatureMesh(EditedInPanel):
         mesh = getattr(self, "Object", None)
         return list(mesh.MeshRegionList) + list(mesh.MeshGroupList) if mesh is not None else []
 
+    def canDelete(self, obj):
+        """Without one of its refinements or groups it is another mesh, but none that is broken."""
+        return obj in self.claimChildren()
+
     # What can be dragged from a mesh in the tree to another, and a copy, which is in none, to one.
 
     def canDragObjects(self):
