@@ -13,7 +13,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import window  # noqa: E402
-from PySide import QtGui  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
 from window import figures, is_whole, panel, picture, spin  # noqa: E402
 
 
@@ -72,6 +72,15 @@ def check_errors(document, body, mesh, study):
     assert "in einem eigenen Prozess" in about.text(in_words) and "in a process of its own" in about.text(), about.text(in_words)
 
 
+def check_numbers(canvas):
+    """Some have decimals, none with a point."""
+    canvas.draw()
+    plots = canvas.figure.axes
+    shown = [label.get_text() for plot in plots for label in (*plot.get_xticklabels(), *plot.get_yticklabels(), *plot.texts)]
+    numbers = [text.split("\n")[0] for text in shown]
+    assert any("," in number for number in numbers) and not any("." in number for number in numbers), numbers
+
+
 def check_study_results(document, study, folder):
     """The window and the page of a study, some of whose cases were done, failed or could not be made."""
     from freecad.featuremesh.gui import study_window
@@ -92,6 +101,7 @@ def check_study_results(document, study, folder):
         made.database.finish(ids[7], {"state": "failed", "message": said("it was ended from outside ({signal:text})", signal="SIGKILL")})
     made.create(plan, {"nodes": 1200, "elements": 1, "solver": "live", "remarks": [], "base_values": {"Plate.Length": 60.0}}, fill)
     study.Folder = path
+    QtCore.QLocale.setDefault(QtCore.QLocale("de_DE"))
     results = study_window.show(study)
     results.tabs.setCurrentIndex(3)
     spin()
@@ -101,6 +111,11 @@ def check_study_results(document, study, folder):
     results.tabs.setCurrentIndex(2)
     window.wait_for(lambda: results.plots[2].canvas is not None)
     assert "Änderung von" in results.plots[2].canvas.figure.axes[0].get_xlabel()
+    for tab in (0, 1):
+        results.tabs.setCurrentIndex(tab)
+        window.wait_for(lambda: results.plots[tab].canvas is not None)
+        check_numbers(results.plots[tab].canvas)
+    QtCore.QLocale.setDefault(QtCore.QLocale.c())
     picture("german_study_tornado")
     with mock.patch.object(QtGui.QDesktopServices, "openUrl"):
         results.activateWindow()   # a click only makes it the active one else

@@ -272,6 +272,29 @@ class Answers(unittest.TestCase):
         self.assertEqual(plots._told_apart(0.11794, 0.11801), ("0.11794", "0.11801"))
         self.assertEqual(plots._told_apart(1 / 3, 1 / 3), ("0.3333", "0.3333"))
 
+    def test_the_names_of_many_axes_are_not_on_one_another(self):
+        data, names = self.data(), ["r%d" % number for number in range(6)]
+        for case in data.cases:
+            case.responses.update(dict.fromkeys(names, 1.0))
+        figure = Figure()
+        plots.parallel(figure, data, [parse_response(name + "=max_displacement") for name in names])
+        below = [text.get_text().count("\n") for text in figure.axes[0].texts[::2]]
+        self.assertEqual(below, [1, 2] * 4)
+
+    def test_plots_do_not_show_what_solving_leaves_as_a_difference(self):
+        data = self.data()
+        for number, case in enumerate(data.cases):
+            case.responses["force"] = 1974.79594529 * (1 + 1e-12 * number)
+        force = parse_response("force=reaction")
+        figure = Figure()
+        plots.parallel(figure, data, [force])
+        self.assertEqual([text.get_text() for text in figure.axes[0].texts][-2:], ["1975\nforce, N", "1975"])
+        self.assertEqual({line.get_ydata()[-1] for line in figure.axes[0].lines[:len(data.cases)]}, {0.5})
+        figure = Figure()
+        plots.scatter(figure, data, [force])
+        low, high = figure.axes[0].get_ylim()
+        self.assertGreater(high - low, 100)
+
 
 class WordsAmongValues(unittest.TestCase):
     """A list of words need not have the document's own, nor those of somebody's rows."""

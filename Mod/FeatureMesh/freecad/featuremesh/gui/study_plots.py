@@ -5,7 +5,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from ..study import answers
-from ..user_words import in_words
+from ..user_words import as_shown, in_words
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -51,6 +51,7 @@ class PlotTab(QtGui.QScrollArea):
             return
         figure = Figure()
         getattr(plots, self.kind)(figure, *words)
+        plots.show_numbers(figure, as_shown)
         self.canvas = FigureCanvasQTAgg(figure)
         width, height = figure.get_size_inches() * figure.dpi
         self.canvas.setMinimumSize(min(int(width), 800), int(height))

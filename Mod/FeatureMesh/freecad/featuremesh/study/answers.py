@@ -66,11 +66,16 @@ def effects(data, response):
     fitted = surface.fit(data.points, values) if data.names else None
     if fitted is None:
         return None
-    if values.max() - values.min() <= _SAME * np.abs(values).max():
+    if are_the_same(values):
         none = np.zeros(len(data.names))
         return Effects(response, fitted, none, none, none)
     main = np.array([_main_effect(fitted, column, len(data.names)) for column in range(len(data.names))])
     return Effects(response, fitted, main, *sobol_indices(fitted.predict, len(data.names)))
+
+
+def are_the_same(values):
+    """Do they differ by no more than what solving leaves?"""
+    return np.ptp(values) <= _SAME * np.abs(values).max()
 
 
 def _main_effect(fitted, column, count):

@@ -8,13 +8,16 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, MaxNLocator
+from matplotlib.ticker import Formatter, FuncFormatter, MaxNLocator, ScalarFormatter
 
 from ..messages import english, said
+from .answers import are_the_same
 
 _MOST_DIGITS = 12
 _RESOLUTION = 0.02   # of the range between two numbers, to which both are written
 _SHADES = 200
+_ROOM = 6   # for how many axes' names there is room beside each other
+_AROUND = 0.05   # of a number that all cases have, shown above and below it
 _ACROSS = 3   # tornado plots beside each other
 _BLUE, _ORANGE, _GREY = "#2b6cb0", "#dd6b20", "#a0aec0"
 
@@ -30,6 +33,9 @@ def scatter(figure, data, responses):
             plot.set_xlabel(name)
             if column == 0:
                 plot.set_ylabel(response.title)
+            values = data.values(response.name)
+            if are_the_same(values) and values.any():
+                plot.set_ylim(*sorted(((1 - _AROUND) * values[0], (1 + _AROUND) * values[0])))
 
 
 def parallel(figure, data, responses):
@@ -48,7 +54,7 @@ def parallel(figure, data, responses):
     for place, (name, (low, high)) in enumerate(zip(titles, limits)):
         plot.axvline(place, color=_GREY, linewidth=0.8)
         ends = _told_apart(low, high)
-        plot.text(place, -0.07, "%s\n%s" % (ends[0], name), ha="center", va="top", fontsize=8)
+        plot.text(place, -0.07, "%s\n%s%s" % (ends[0], "\n" if len(titles) > _ROOM and place % 2 else "", name), ha="center", va="top", fontsize=8)
         plot.text(place, 1.07, ends[1], ha="center", va="bottom", fontsize=8)
     plot.set_axis_off()
 
@@ -56,7 +62,7 @@ def parallel(figure, data, responses):
 def _told_apart(low, high):
     """Both numbers as texts of four digits, or of as many as the range between them needs."""
     digits = 4
-    while low < high and digits < _MOST_DIGITS and any(abs(float("%.*g" % (digits, end)) - end) > _RESOLUTION * (high - low) for end in (low, high)):
+    while not are_the_same(np.array((low, high))) and digits < _MOST_DIGITS and any(abs(float("%.*g" % (digits, end)) - end) > _RESOLUTION * (high - low) for end in (low, high)):
         digits += 1
     return "%.*g" % (digits, low), "%.*g" % (digits, high)
 
@@ -90,9 +96,33 @@ def pareto(figure, data, front, first, second, say=english):
     plot.legend()
 
 
+def show_numbers(figure, as_shown):
+    """Puts all numbers of a figure as `as_shown` does, with the user's decimal sign."""
+    for plot in figure.axes:
+        for axis in (plot.xaxis, plot.yaxis):
+            if isinstance(axis.get_major_formatter(), (ScalarFormatter, FuncFormatter)):   # not names
+                axis.set_major_formatter(_AsShown(axis.get_major_formatter(), as_shown))
+        for text in plot.texts:
+            text.set_text(as_shown(text.get_text()))
+
+
+class _AsShown(Formatter):
+
+    def __init__(self, inner, as_shown):
+        self._inner, self._as_shown = inner, as_shown
+
+    def __call__(self, value, place=None):
+        return self._as_shown(self._inner(value, place))
+
+    def set_locs(self, locs):
+        self._inner.set_locs(locs)
+
+    def get_offset(self):
+        return self._as_shown(self._inner.get_offset())
+
+
 def _shares(values):
-    spread = values.max() - values.min()
-    return (values - values.min()) / spread if spread > 0 else np.full(len(values), 0.5)
+    return np.full(len(values), 0.5) if are_the_same(values) else (values - values.min()) / np.ptp(values)
 
 
 def png(draw, *words):
