@@ -2,6 +2,7 @@
 """What the panels show of long and odd labels, in narrow columns, in inches and with decimal commas, and what they read. Run by test_window.py with the bracket."""
 import json
 import os
+import re
 import sys
 from pathlib import Path
 from unittest import mock
@@ -9,6 +10,7 @@ from unittest import mock
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
+import Part  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 from window import click_in_panel, figures, is_whole, panel, picture, send_key, spin, wait_for  # noqa: E402
@@ -85,6 +87,24 @@ def check_remarks(mesh):
     assert result.toolTip() == "remark 4 &lt;x><br>remark 5 &lt;x>", result.toolTip()
     close("Cancel")
     mesh.Report = report
+
+
+def check_forced_angles(document):
+    """Where a part's own angles are small, the panel says how good all other elements are."""
+    one = Part.makeCylinder(5, 10)
+    part = document.addObject("Part::Feature", "Touching")
+    part.Shape = one.fuse(Part.makeCylinder(5, 10, FreeCAD.Vector(9.99, 0, 0)))
+    from freecad.featuremesh import api
+    mesh = api.add_mesh(part, 3.0, order=1, join_analysis=False)
+    document.recompute()
+    mesh.ViewObject.doubleClicked()
+    spin()
+    words = re.search(r"smallest angle ([0-9.]+) deg, ([0-9.]+) deg where the part's own angles do not force less; mean", panel("MeshPanel").result.text())
+    assert words and float(words.group(1)) < 5 < 15 < float(words.group(2)), panel("MeshPanel").result.text()
+    picture("forced_angles")
+    close("Cancel")
+    for obj in (mesh, part):
+        document.removeObject(obj.Name)
 
 
 def drawn_in_list(shown, target):
@@ -251,6 +271,7 @@ def drive():
     check_labels(body, mesh)
     check_boxes(body, mesh)
     check_remarks(mesh)
+    check_forced_angles(document)
     check_cut()
     check_typed_lengths(mesh)
     count_in(document, 3)   # inches with decimals

@@ -1077,6 +1077,14 @@
       <translation>Form</translation>
     </message>
     <message>
+      <source>smallest angle %.1f deg, %.1f deg where the part's own angles do not force less; mean radius ratio %.3f</source>
+      <translation>kleinster Winkel %.1f°, %.1f° wo nicht die Winkel des Teils selbst kleinere erzwingen; mittleres Radienverhältnis %.3f</translation>
+    </message>
+    <message>
+      <source>smallest angle %.1f deg, as the part's own angles everywhere force; mean radius ratio %.3f</source>
+      <translation>kleinster Winkel %.1f°, den die Winkel des Teils selbst überall erzwingen; mittleres Radienverhältnis %.3f</translation>
+    </message>
+    <message>
       <source>solved by CalculiX</source>
       <translation>mit CalculiX gelöst</translation>
     </message>
