@@ -4,6 +4,7 @@
 Run by test_window.py; see drive_window.py for the result and the pictures.
 """
 import os
+import re
 import sys
 import tempfile
 from pathlib import Path
@@ -115,16 +116,18 @@ def check_study_results(document, study, folder):
         results.tabs.setCurrentIndex(tab)
         window.wait_for(lambda: results.plots[tab].canvas is not None)
         check_numbers(results.plots[tab].canvas)
-    QtCore.QLocale.setDefault(QtCore.QLocale.c())
     picture("german_study_tornado")
     with mock.patch.object(QtGui.QDesktopServices, "openUrl"):
         results.activateWindow()   # a click only makes it the active one else
         spin()
         window.click(results.report_button)
+    QtCore.QLocale.setDefault(QtCore.QLocale.c())
     page = Path(path, "report.html").read_text(encoding="utf-8")
     words = ("Studie von part.FCStd", "7 fertig, 1 nicht machbar, 1 fehlgeschlagen", "(1200 Knoten, 1 Element); mitlaufend gelöst", "Was wichtig ist", "Haupteffekt",
              "kleinster Wert 1 kg in Fall 1", "er wurde von außen beendet")
     assert not [text for text in words if text not in page], page[:4000]
+    cells = re.findall(r"<td>(-?[0-9][^<]*)", page)
+    assert "1,6" in cells and not any("." in cell for cell in cells), cells
     results.close()
 
 

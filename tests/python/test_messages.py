@@ -9,7 +9,6 @@ from unittest import mock
 
 import FreeCAD
 from freecad.featuremesh import engine, job, messages, reading, user_words
-from freecad.featuremesh.study import report
 from parts import new_document, plate_with_hole
 from PySide import QtCore
 
@@ -187,7 +186,7 @@ class Messages(unittest.TestCase):
     def test_figures_are_written_as_people_write_them(self):
         for value, digits, text in ((16500.4, 4, "16500"), (-99999.7, 5, "-100000"), (1e12, 4, "1e+12"), (0.00012345, 3, "0.000123"), (0.0, 4, "0")):
             self.assertEqual(messages.figure(value, digits), text)
-        self.assertEqual(report._shown(164190.3), "164190")
+        self.assertEqual(messages.figure(164190.3, 5), "164190")
 
     def test_figures_have_the_users_units(self):
         self.addCleanup(FreeCAD.Units.setSchema, 0)

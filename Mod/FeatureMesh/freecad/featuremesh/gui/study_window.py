@@ -11,7 +11,7 @@ from .. import api, view_provider
 from ..errors import UserError
 from ..study import answers, report, response_words, study_object, table
 from ..study.folder import StudyFolder
-from ..user_words import figure, in_words
+from ..user_words import as_shown, figure, in_words
 from . import errors, narrow
 from .save_dialog import ask_for_file
 from .study_plots import PlotTab
@@ -188,7 +188,7 @@ class StudyWindow(QtGui.QDialog):
         folder = StudyFolder(self.study.Folder)
         path = os.path.join(folder.path, "report.html")
         try:
-            report.write(folder, path, say=in_words)
+            report.write(folder, path, say=in_words, as_shown=as_shown)
         except UserError as error:
             errors.show(error)
             return

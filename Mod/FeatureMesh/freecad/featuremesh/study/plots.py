@@ -125,10 +125,11 @@ def _shares(values):
     return np.full(len(values), 0.5) if are_the_same(values) else (values - values.min()) / np.ptp(values)
 
 
-def png(draw, *words):
-    """What `draw(figure, *words)` draws, as it stands in a page."""
+def png(draw, *words, as_shown=str):
+    """What `draw(figure, *words)` draws, its numbers as `as_shown` puts them, as it stands in a page."""
     figure = Figure()
     draw(figure, *words)
+    show_numbers(figure, as_shown)
     figure.tight_layout()
     stream = io.BytesIO()
     FigureCanvasAgg(figure).print_figure(stream, format="png", dpi=110, metadata={"Software": None})

@@ -20,10 +20,10 @@ _STYLE = ("body{font:15px/1.45 sans-serif;max-width:1100px;margin:2em auto;paddi
           "th{background:#f7fafc}td:last-child{text-align:left}img{max-width:100%}.note{color:#4a5568}")
 
 
-def write(folder, path, pair=None, goal=None, limits=(), say=english):
-    """Writes the page. `pair` are the two responses of the Pareto front, `goal` and `limits` expressions for the best case, `say` puts messages into words.
-    Throws UserError."""
-    page = _Page(folder, say).made(pair, goal, limits)
+def write(folder, path, pair=None, goal=None, limits=(), say=english, as_shown=str):
+    """Writes the page. `pair` are the two responses of the Pareto front, `goal` and `limits` expressions for the best case, `say` puts messages into words,
+    `as_shown` gives a text of numbers the user's decimal sign. Throws UserError."""
+    page = _Page(folder, say, as_shown).made(pair, goal, limits)
     try:
         with whole_file.written(path) as stream:
             stream.write(page)
@@ -34,8 +34,8 @@ def write(folder, path, pair=None, goal=None, limits=(), say=english):
 class _Page:
     """The page's parts, each as HTML."""
 
-    def __init__(self, folder, say):
-        self._folder, self._say, self._data = folder, say, answers.data_of(folder)
+    def __init__(self, folder, say, as_shown):
+        self._folder, self._say, self._as_shown, self._data = folder, say, as_shown, answers.data_of(folder)
 
     def made(self, pair, goal, limits):
         """All of it."""
@@ -56,7 +56,7 @@ class _Page:
 
     def _picture(self, message, draw, *shown, what=None):
         """With its title; `what` says what it is where the title does not."""
-        return [self._title(message), '<img alt="%s" src="%s">' % (self._words(what or message), plots.png(draw, *shown))]
+        return [self._title(message), '<img alt="%s" src="%s">' % (self._words(what or message), plots.png(draw, *shown, as_shown=self._as_shown))]
 
     def _note(self, message):
         return "<p class=note>%s</p>" % self._words(message)
@@ -80,11 +80,11 @@ class _Page:
         if goal:
             case = answers.best(data, goal, limits)
             rows.append(said("least {goal:text}: {case:messages}", goal=" & ".join([goal, *limits]),
-                             case=_case_in_words(case) if case else said("no case keeps that")))
+                             case=self._case_in_words(case) if case else said("no case keeps that")))
         for response in data.study.responses:
             least, largest = (pick(data.cases, key=lambda case: case.responses[response.name]) for pick in (min, max))
             rows.append(said("{response:text}: least {least:text} in case {case:count}, largest {largest:text} in case {other:count}", response=response.name,
-                             least=_with_unit(least, response), case=least.id, largest=_with_unit(largest, response), other=largest.id))
+                             least=self._with_unit(least, response), case=least.id, largest=self._with_unit(largest, response), other=largest.id))
         return "<ul>%s</ul>" % "".join("<li>%s</li>" % self._words(row) for row in rows)
 
     def _what_matters(self):
@@ -98,9 +98,10 @@ class _Page:
     def _effects_table(self, all_effects):
         head = self._row_of_titles([said("response"), said("parameter"), said("main effect"), said("first-order index"), said("total index"),
                                     said("surface, left-out error")])
-        rows = ["<tr><td>%s<td>%s<td>%.4g<td>%.3f<td>%.3f<td>%s</tr>" % (
-            html.escape(found.response), html.escape(name), found.main[place], _index(found.first[place]), _index(found.total[place]),
-            self._words(_surface(found)) if not place else "") for found in all_effects for place, name in enumerate(self._data.names)]
+        rows = ["<tr><td>%s<td>%s<td>%s<td>%s<td>%s<td>%s</tr>" % (
+            html.escape(found.response), html.escape(name), *map(self._as_shown, (
+                "%.4g" % found.main[place], "%.3f" % _index(found.first[place]), "%.3f" % _index(found.total[place]))),
+            self._words(self._surface(found)) if not place else "") for found in all_effects for place, name in enumerate(self._data.names)]
         return "<table>%s%s</table>%s" % (head, "".join(rows), self._note(said(
             "The main effect is the response's mean change from a parameter's lowest to its highest value; the indices are Sobol's shares of the variance. "
             "All are of the response surface: they mean no more than its error allows, which is that of cases left out of the fit.")))
@@ -133,29 +134,25 @@ class _Page:
 
     def _case_row(self, case, names):
         values = {**case.parameters, **case.responses}
-        cells = [str(case.id), self._say(_STATES[case.state]), *(_shown(values.get(name, "")) for name in names), _shown(case.seconds.get("total", "")),
+        cells = [str(case.id), self._say(_STATES[case.state]), *(self._shown(values.get(name, "")) for name in names), self._shown(case.seconds.get("total", "")),
                  "%.0f %%" % (100 * case.mesh["kept_share"]) if case.mesh else "", self._say(case.message)]
         return "<tr>%s</tr>" % "".join("<td>" + html.escape(cell) for cell in cells)
 
+    def _case_in_words(self, case):
+        values = ", ".join("%s %s" % (name, self._shown(value)) for name, value in {**case.parameters, **case.responses}.items())
+        return said("case {case:count} ({values:text})", case=case.id, values=values)
 
-def _case_in_words(case):
-    values = ", ".join("%s %s" % (name, _shown(value)) for name, value in {**case.parameters, **case.responses}.items())
-    return said("case {case:count} ({values:text})", case=case.id, values=values)
+    def _surface(self, found):
+        return said("{kind:messages}, {error:text} ({percent:text} % of the spread)", kind=_SURFACES[found.surface.kind],
+                    error=self._as_shown("%.3g" % found.surface.error), percent=self._as_shown("%.1f" % (100 * found.surface.relative_error)))
 
+    def _with_unit(self, case, response):
+        return " ".join(filter(None, (self._shown(case.responses[response.name]), response.unit)))
 
-def _surface(found):
-    return said("{kind:messages}, {error:text} ({percent:text} % of the spread)", kind=_SURFACES[found.surface.kind],
-                error="%.3g" % found.surface.error, percent="%.1f" % (100 * found.surface.relative_error))
+    def _shown(self, value):
+        return self._as_shown(figure(value, 5)) if isinstance(value, (float, np.floating)) else str(value)
 
 
 def _index(value):
     """Without the sign of a zero: indices are sums over random points."""
     return round(value, 3) + 0.0
-
-
-def _with_unit(case, response):
-    return " ".join(filter(None, (_shown(case.responses[response.name]), response.unit)))
-
-
-def _shown(value):
-    return figure(value, 5) if isinstance(value, (float, np.floating)) else str(value)
