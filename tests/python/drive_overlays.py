@@ -3,6 +3,7 @@
 
 Run by test_window.py; see drive_window.py for the result and the pictures.
 """
+import gc
 import os
 import sys
 import time
@@ -11,6 +12,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import numpy as np  # noqa: E402
+import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from PySide import QtGui  # noqa: E402
 from window import figures, panel, picture, pixels, spin, wait_for  # noqa: E402
@@ -170,6 +172,24 @@ def check_ends(document, mesh):
     wait_for(lambda: not Gui.Control.activeDialog())
 
 
+def check_load_double_clicked(document, mesh):
+    """Its panel takes the place of ours, with or without a question: the mesh has its own colour then."""
+    load = ObjectsFem.makeConstraintForce(document, "Force")
+    load.References = [(document.Body, "Face1")]
+    ObjectsFem.makeAnalysis(document, "Analysis").addObject(load)
+    document.recompute()
+    timer = window.answer_with("Yes", [])   # since 1.0 FreeCAD does not ask
+    load.ViewObject.doubleClicked()
+    spin()
+    timer.stop()
+    assert Gui.Control.activeDialog() and not [obj for obj in gc.get_objects() if type(obj).__name__ == "QualityPanel" and window.is_shown(obj.form)]
+    assert mesh.ViewObject.Proxy.elements(mesh).overlay is None
+    Gui.activeDocument().resetEdit()
+    Gui.Control.closeDialog()
+    spin()
+    show("FeatureMesh_ShowQuality", "QualityPanel")
+
+
 def check_many(path):
     """Seconds of the processor until many elements are shown in colours, and for each step of a drag, against the number of them."""
     document = FreeCAD.openDocument(path)
@@ -218,6 +238,7 @@ def drive():
     check_kept(document, mesh)
     shown = check_quality(document, mesh)
     check_cut(shown, mesh)
+    check_load_double_clicked(document, mesh)
     check_ends(document, mesh)
     if os.environ.get("FEATUREMESH_MANY"):
         check_many(os.environ["FEATUREMESH_MANY"])

@@ -43,6 +43,7 @@ class OverlayPanel(ClosesWithObject):
         self._seen_before = showing.show_elements(self.mesh)
         self._show()
         view_provider.followers.append(self._follow)
+        self.form.destroyed.connect(lambda: self._closed_by_others())
         self.watch(self.mesh)
 
     def make_overlay(self):
@@ -96,6 +97,11 @@ class OverlayPanel(ClosesWithObject):
         if obj is self.mesh:
             obj.ViewObject.Proxy.show(obj, None)   # undo would bring it back with its colours, and no panel that explains them
         super().slotDeletedObject(obj)
+
+    def _closed_by_others(self):
+        """Without a word to it, as by FreeCAD 1.1 when a load is double-clicked; its end comes after that."""
+        if self._follow in view_provider.followers:
+            self.mesh.ViewObject.Proxy.show(self.mesh, None)
 
     def _follow(self, mesh, name):
         if mesh is self.mesh and name in ("FemMesh", "Status"):
