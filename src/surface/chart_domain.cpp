@@ -226,9 +226,13 @@ void ChartDomain::insert(std::span<const Vec2> seeds, const Heartbeat& heart) {
     for (const std::size_t i : curve_order(points)) {
         const std::size_t count = data_->cdt.number_of_vertices();
         if (count % 4096 == 0) heart.beat();
-        const Vertex v = data_->cdt.insert(points[i], hint);
+        Cdt::Locate_type type;
+        int side;
+        hint = data_->cdt.locate(points[i], type, side, hint);
+        // on a point that is there already, or on the border
+        if (type == Cdt::VERTEX || (type == Cdt::EDGE && data_->cdt.is_constrained({hint, side}))) continue;
+        const Vertex v = data_->cdt.insert(points[i], type, hint, side);
         hint = v->face();
-        if (data_->cdt.number_of_vertices() == count) continue;  // a seed on a point that is there already
         data_->vertices[before + i] = v;
         v->info() = static_cast<int>(before + i);
     }

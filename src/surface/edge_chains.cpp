@@ -330,6 +330,7 @@ std::vector<double> EdgeChains::parameters_beside(const Brep& brep, const Wanted
     for (const EdgeId other : others)
         for (const NodeId n : chains_[other.index()].nodes) nodes.push_back(mesh.point(n));
     const BRepAdaptor_Curve curve(brep.edge(edge));
+    constexpr double most_off = 0.1;  // of the wanted length
     std::vector<double> parameters;
     double begin = between[0];
     const auto fill_to = [&](double end) {
@@ -354,6 +355,15 @@ std::vector<double> EdgeChains::parameters_beside(const Brep& brep, const Wanted
         parameters.push_back(stop);
     }
     fill_to(between[1]);
+    // as far as the kernel says that the edges may be off, there is no telling which is on which side
+    const auto is_in_one_place = [&](double t) {
+        const Vec3 p = to_vec3(curve.Value(t));
+        return std::any_of(others.begin(), others.end(), [&](EdgeId other) {
+            const double off = std::max(BRep_Tool::Tolerance(brep.edge(edge)), BRep_Tool::Tolerance(brep.edge(other)));
+            return projector_.nearest(other, p).distance < std::min(off, most_off * sizing.at(p));
+        });
+    };
+    std::erase_if(parameters, is_in_one_place);
     return parameters;
 }
 

@@ -115,7 +115,7 @@ class FaceFiller {
     void improve() {
         open_loops();
         if (!geometry_.is_flat()) make_delaunay(patch_);
-        if (!is_lattice_) split_long_sides(patch_, geometry_, heart_);
+        if (!is_lattice_ && !split_long_sides(patch_, geometry_, heart_)) fail(say<Code::face_runs_back>());
         smooth(patch_, geometry_, heart_);
         if (split_folded(patch_, geometry_, heart_) > 0) smooth(patch_, geometry_, heart_);
         raise_smallest_angles(patch_, geometry_, wanted_angle, brep_.tolerances().least_length(), heart_);

@@ -128,6 +128,7 @@ class SurfaceFiller {
         for (std::size_t f = 0; f < jobs_.size(); ++f)
             if (is_used(FaceId(f)) && !is_complete[f]) open.push_back(FaceId(f));
         constexpr int rounds = 14, rounds_of_all_pieces = 4;
+        constexpr std::size_t most_crossings = 10000;  // more are chains that lie across one another all along
         std::set<EdgeId> refined;
         for (int round = 0; !open.empty(); ++round) {
             parallel_for(context_, open.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -142,7 +143,8 @@ class SurfaceFiller {
                 const FaceJob& job = jobs_[f.index()];
                 if (!job.domain || job.domain->is_valid()) continue;
                 const int most = job.domain->crossings().empty() ? rounds_of_all_pieces : rounds;
-                if (round >= most || !refine(f, refined, again)) fail_crossing(f);
+                if (round >= most || job.domain->crossings().size() > most_crossings || !refine(f, refined, again))
+                    fail_crossing(f);
                 again.insert(f);
             }
             open.assign(again.begin(), again.end());

@@ -3,7 +3,11 @@
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepGProp.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <GProp_GProps.hxx>
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -350,7 +354,7 @@ void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
         const std::vector<VertexId> sequence = sequence_of(brep, edge);
         const BRepAdaptor_Curve curve(brep.edge(edge));
         for (const EdgeId other : between[sorted_pair(sequence.front(), sequence.back())])
-            if (runs_along(brep, projector, curve, {0, 1}, other, tolerance_)) {
+            if (runs_along(brep, projector, curve, {0, 1}, other, reach_between(brep, edge, other))) {
                 edge_of[edge.index()] = other;
                 break;
             }
@@ -361,6 +365,20 @@ void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
             for (std::size_t j = i + 1; j < sequence.size(); ++j)
                 between[sorted_pair(sequence[i], sequence[j])].push_back(edge);
     }
+}
+
+double MergedEntities::reach_between(const Brep& brep, EdgeId edge, EdgeId other) const {
+    const double off = std::max(BRep_Tool::Tolerance(brep.edge(edge)), BRep_Tool::Tolerance(brep.edge(other)));
+    if (off <= tolerance_) return tolerance_;
+    const double area_of_strip = tolerance_ * GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(brep.edge(edge)));
+    for (const FaceId f : brep.faces_of(edge)) {
+        const auto edges = brep.edges_of(f);
+        if (edges.size() != 2 || std::find(edges.begin(), edges.end(), other) == edges.end()) continue;
+        GProp_GProps area;
+        BRepGProp::SurfaceProperties(brep.face(f), area);
+        if (std::abs(area.Mass()) < area_of_strip) return off;
+    }
+    return tolerance_;
 }
 
 void MergedEntities::borrow_stretch(const Brep& brep, const Projector& projector, EdgeId edge, std::size_t first,

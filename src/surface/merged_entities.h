@@ -47,6 +47,9 @@ struct MergedEntities {
     /// By the edge that has the chain and the number of a stretch of it between vertices: how often a border has it.
     using Stretches = std::map<std::pair<EdgeId, std::ptrdiff_t>, int>;
     void join_edges(const Brep& brep, const Projector& projector);
+    /// How far from one another the edges may run in one place: where all that is between them is a face without any
+    /// width, as far as the kernel says that they may be off.
+    double reach_between(const Brep& brep, EdgeId edge, EdgeId other) const;
     /// Where it runs along one of `others`, which have all of these between them, for the stretch from `first` on.
     void borrow_stretch(const Brep& brep, const Projector& projector, EdgeId edge, std::size_t first,
                         const std::vector<EdgeId>& others);

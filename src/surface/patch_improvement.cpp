@@ -217,12 +217,13 @@ double distance_to_corners(const TrianglePatch& patch, int t, int i, const Vec3&
 
 }  // namespace
 
-std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart) {
+bool split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart) {
     constexpr double too_long = 1.6, least_height = 0.7, least_apart = 0.3;
+    const std::size_t most = 10000 + 4 * patch.triangles.size();
     std::size_t splits = 0;
     std::vector<int> queue;
     for (int round = 0; round < 12; ++round) {
-        std::size_t before = splits;
+        const std::size_t before = splits;
         const std::size_t count = patch.triangles.size();
         for (std::size_t t = 0; t < count; ++t) {
             if (t % 1024 == 0) heart.beat();
@@ -249,7 +250,7 @@ std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry
             }
             if (longest < 0) continue;
             const int p = patch.split_side(static_cast<int>(t), longest, its_middle, its_place);
-            ++splits;
+            if (++splits > most) return false;
             std::vector<int> star;
             patch.star(p, star);
             queue = star;
@@ -257,7 +258,7 @@ std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry
         }
         if (splits == before) break;
     }
-    return splits;
+    return true;
 }
 
 namespace {

@@ -31,8 +31,9 @@ double smallest_angle(const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Turns sides until each is locally Delaunay as measured on the surface.
 void make_delaunay(TrianglePatch& patch);
-/// Splits inner sides that are much longer than wanted. Returns how many.
-std::size_t split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart);
+/// Splits inner sides that are much longer than wanted. False where there would be no end of them: the surface is far
+/// larger than its border encloses.
+bool split_long_sides(TrianglePatch& patch, const PatchGeometry& geometry, const Heartbeat& heart);
 /// The variational step, node by node: each goes to the area-weighted mean of the circumcentres of its star (Chen and
 /// Holst 2011), as long as that does not make a bad star worse; sides are turned in between. Only nodes with something
 /// to gain are visited.

@@ -3,6 +3,7 @@
 
 #include <BOPAlgo_BOP.hxx>
 #include <BOPAlgo_MakerVolume.hxx>
+#include <BRepCheck_Analyzer.hxx>
 #include <Message_ProgressScope.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
@@ -74,6 +75,11 @@ struct Change : ChangedFaces {
         const double lost = std::accumulate(flux_of_vanished.begin(), flux_of_vanished.end(), 0.0);
         volume = gained - lost;
         scale = std::max({std::abs(gained), std::abs(lost), 1e-3 * box.size().x * box.size().y * box.size().z});
+    }
+
+    /// Intersections with a shape that is not valid may take the kernel hours, whatever their price.
+    bool is_of_sound_shapes() const {
+        return BRepCheck_Analyzer(before).IsValid() && BRepCheck_Analyzer(after).IsValid();
     }
 
     bool is_explained_by(const ShapeDifference& d) const {
@@ -231,9 +237,11 @@ ShapeDifference difference_of(const TopoDS_Shape& before, const TopoDS_Shape& af
         };
         if (most > 0) attempt([&] { return along_edges(change); });
         context.progress(0.5);
-        attempt([&] { return between_faces(change, true, share_of_left(0.7), context); });
-        attempt([&] { return between_faces(change, false, share_of_left(0.7), context); });
-        attempt([&] { return by_booleans(change, share_of_left(0.5), context); });
+        if (!result.closed && change.is_of_sound_shapes()) {
+            attempt([&] { return between_faces(change, true, share_of_left(0.7), context); });
+            attempt([&] { return between_faces(change, false, share_of_left(0.7), context); });
+            attempt([&] { return by_booleans(change, share_of_left(0.5), context); });
+        }
         result.is_hopeless = !result.closed && is_hopeless;
     } catch (const Standard_Failure&) {
         result = {};  // not closed: the caller takes the feature as opaque and says so

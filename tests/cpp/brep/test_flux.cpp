@@ -5,10 +5,12 @@
 #include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepLib.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRep_Builder.hxx>
@@ -193,6 +195,17 @@ TEST_CASE("added and removed parts account for the change of volume") {
     CHECK(difference_of(before, before, 8.0, context).added.empty());
     CHECK(difference_of({}, before, 8.0, context).added.size() == 1);
     CHECK(difference_of(before, {}, 8.0, context).removed.size() == 1);
+}
+
+TEST_CASE("what was added to a shape that is not valid is not asked of the kernel") {
+    BRepBuilderAPI_MakePolygon outline(gp_Pnt(0, 0, 0), gp_Pnt(10, 10, 0), gp_Pnt(10, 0, 0), gp_Pnt(0, 12, 0), true);
+    const TopoDS_Shape crossed =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 6)).Shape();
+    RunContext context;
+    const ShapeDifference difference = difference_of(box(0, 0, 0, 9, 9, 9), crossed, 1000000, context);
+    CHECK_FALSE(difference.closed);
+    CHECK(difference.is_hopeless);
+    CHECK(difference.work == 0);
 }
 
 TEST_CASE("a concave fillet adds, a convex one removes") {

@@ -16,6 +16,8 @@
 #include <GC_MakeArcOfCircle.hxx>
 #include <Geom_BezierCurve.hxx>
 #include <TColgp_Array1OfPnt.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
@@ -231,4 +233,39 @@ TEST_CASE("a kept chain beside a new one gets it opposite its nodes") {
         const std::array<std::vector<Vec3>, 2> circles = nodes_at_step(brep, result.mesh, 10);
         CHECK(circles[0].size() == circles[1].size());
     }
+}
+
+TEST_CASE("beside a tip where two edges cross within their tolerance neither has a node") {
+    TColgp_Array1OfPnt poles(1, 3);
+    poles(1) = gp_Pnt(0, 0, 0), poles(2) = gp_Pnt(1, -0.02, 0), poles(3) = gp_Pnt(2, 0.26, 0);  // crosses at x = 0.267
+    BRepBuilderAPI_MakeWire border;
+    border.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(2, 0, 0)));
+    border.Add(BRepBuilderAPI_MakeEdge(gp_Pnt(2, 0, 0), gp_Pnt(2, 0.26, 0)));
+    border.Add(BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles)));
+    const TopoDS_Shape wedge =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(border.Wire()).Face(), gp_Vec(0, 0, 0.05)).Shape();
+    for (TopExp_Explorer edge(wedge, TopAbs_EDGE); edge.More(); edge.Next())
+        BRep_Builder().UpdateEdge(TopoDS::Edge(edge.Current()), 0.003);
+    const Brep brep(wedge);
+    EdgesBeside beside;
+    const auto is_at_tip = [&](EdgeId e) {
+        const auto ends = brep.ends_of(e);
+        return distance(brep.point_of(ends[0]), {0, 0, 0}) < 1e-9 || distance(brep.point_of(ends[1]), {0, 0, 0}) < 1e-9;
+    };
+    for (std::size_t e = 0; e < brep.edge_count(); ++e)
+        for (std::size_t other = 0; other < e; ++other)
+            if (is_at_tip(EdgeId(e)) && is_at_tip(EdgeId(other))) beside.add(EdgeId(e), EdgeId(other));
+    RunContext context;
+    SizingOptions options;
+    options.size = 0.1;
+    Mesh mesh;
+    const WantedLength wanted(make_sizing(brep, options, {}, context));
+    const EdgeChains chains(brep, MergedEntities(brep), wanted, beside, mesh, context);
+    std::size_t count = 0;
+    for (const Vec3& p : mesh.points) {
+        if (p.z != 0 || p.x == 0 || p.x > 1.99) continue;
+        ++count;
+        CHECK(p.x > 0.37);
+    }
+    CHECK(count > 30);
 }

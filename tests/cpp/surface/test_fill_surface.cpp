@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -15,6 +16,7 @@
 #include <GC_MakeArcOfCircle.hxx>
 #include <GProp_GProps.hxx>
 #include <Geom_BSplineSurface.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
@@ -30,6 +32,9 @@
 
 #include "catch.h"
 #include "core/errors.h"
+#include "surface/chart.h"
+#include "surface/chart_domain.h"
+#include "surface/patch_improvement.h"
 #include "surface/projection.h"
 #include "surface/triangle_patch.h"
 #include "surface/turned_triangles.h"
@@ -53,6 +58,15 @@ TopoDS_Shape wild_spline_block() {
     u_times(1) = u_times(4) = v_times(1) = v_times(3) = 4, u_times(2) = u_times(3) = v_times(2) = 1;
     const Handle(Geom_BSplineSurface) surface = new Geom_BSplineSurface(poles, u, v, u_times, v_times, 3, 3);
     return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(surface, 1e-7).Face(), gp_Vec(0, 0, -10)).Shape();
+}
+
+/// A block 10 x 10 x 5 with a hill of this height in the middle of its top, mm.
+TopoDS_Shape hill(double height) {
+    TColgp_Array2OfPnt poles(1, 3, 1, 3);
+    for (int i = 1; i <= 3; ++i)
+        for (int j = 1; j <= 3; ++j) poles(i, j) = gp_Pnt(5 * (i - 1), 5 * (j - 1), i == 2 && j == 2 ? 4 * height : 0);
+    return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Face(), gp_Vec(0, 0, -5))
+        .Shape();
 }
 
 /// Between two edges of the part that meet at a vertex, degrees.
@@ -237,6 +251,46 @@ TEST_CASE("round the poles of a free-form face no side is split again and again"
         const Mesh mesh = fill_surface(brep, make_sizing(brep, options, {}, context), {}, context).mesh;
         CHECK(surface_findings(brep, mesh).empty());
         CHECK(smallest_angle(mesh) > 20);
+    }
+}
+
+TEST_CASE("a seed on the border of what is to be filled is left out, not let through it") {
+    FaceBoundary square;
+    square.points = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (int i = 0; i < 4; ++i) square.nodes.emplace_back(i), square.segments.push_back({i, (i + 1) % 4, EdgeId(0)});
+    RunContext context;
+    ChartDomain domain(square);
+    REQUIRE(domain.is_valid());
+    domain.insert(std::vector<Vec2>{{0.5, 0}, {1, 1}, {0.25, 0.5}}, Heartbeat(context));
+    const TrianglePatch patch = domain.patch();
+    CHECK(patch.triangles.size() == 4);
+    for (const auto& corners : patch.triangles) CHECK(std::count(corners.begin(), corners.end(), 6) == 1);
+}
+
+TEST_CASE("the long sides of a face far larger than its border encloses are not split without end") {
+    const Brep brep(hill(60));
+    const auto top = [&] {
+        for (std::size_t f = 0; f < brep.face_count(); ++f)
+            if (BRepAdaptor_Surface(brep.face(FaceId(f))).GetType() == GeomAbs_BezierSurface) return FaceId(f);
+        throw std::logic_error("no top");
+    };
+    const Chart chart(brep, top());
+    const PatchGeometry geometry(chart);
+    RunContext context;
+    const Heartbeat heart(context);
+    for (const double wanted : {4.0, 0.1}) {
+        TrianglePatch patch;
+        for (const auto& [u, v] : {std::array{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}})
+            patch.points.push_back(chart.to_plane({u, v}));
+        for (const Vec2& p : patch.points) patch.places.push_back(chart.point(p));
+        patch.triangles = {{0, 1, 2}, {0, 2, 3}};
+        patch.neighbours = {{-1, 1, -1}, {-1, -1, 0}};
+        patch.triangle_of = {0, 0, 0, 1};
+        patch.is_fixed = {1, 1, 1, 1};
+        patch.nodes = {0, 1, 2, 3};
+        patch.wanted.assign(4, wanted);
+        CHECK(split_long_sides(patch, geometry, heart) == (wanted > 1));
+        CHECK(patch.triangles.size() > 20);
     }
 }
 

@@ -1,17 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface/merged_entities.h"
 
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Geom_BezierCurve.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
@@ -19,6 +29,7 @@
 #include <algorithm>
 #include <gp.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Pln.hxx>
 #include <set>
 
 #include "catch.h"
@@ -74,6 +85,44 @@ Mesh mesh_ignoring(const Brep& brep, const MergedEntities& merged, double size) 
     SurfaceOptions ignoring;
     ignoring.known = &merged;
     return fill_surface(brep, sizing, Mesh(), context, ignoring).mesh;
+}
+
+/// A block with one edge twice: as a line and as a curve 0.01 above it in the face y = 0, with a face between them.
+TopoDS_Shape block_with_strip(const gp_Dir& normal_of_strip) {
+    const TopoDS_Shape block = BRepPrimAPI_MakeBox(30, 20, 10).Shape();
+    TopoDS_Edge line;
+    TopoDS_Face front;
+    for (TopExp_Explorer face(block, TopAbs_FACE); face.More(); face.Next()) {
+        const BRepAdaptor_Surface surface(TopoDS::Face(face.Current()));
+        if (std::abs(surface.Plane().Axis().Direction().Y()) < 0.5 || surface.Plane().Location().Y() > 1) continue;
+        front = TopoDS::Face(face.Current());
+        for (TopExp_Explorer edge(front, TopAbs_EDGE); edge.More(); edge.Next()) {
+            const BRepAdaptor_Curve curve(TopoDS::Edge(edge.Current()));
+            const gp_Pnt middle = curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter()));
+            if (middle.Distance({15, 0, 10}) < 1e-9) line = TopoDS::Edge(edge.Current());
+        }
+    }
+    TColgp_Array1OfPnt poles(1, 3);
+    const gp_Pnt ends[]{BRep_Tool::Pnt(TopExp::FirstVertex(line)), BRep_Tool::Pnt(TopExp::LastVertex(line))};
+    poles(1) = ends[0], poles(2) = gp_Pnt(15, 0, 10.02), poles(3) = ends[1];
+    TopoDS_Edge curve =
+        BRepBuilderAPI_MakeEdge(new Geom_BezierCurve(poles), TopExp::FirstVertex(line), TopExp::LastVertex(line));
+    const BRep_Builder builder;
+    builder.UpdateEdge(curve, 0.012);
+    BRepBuilderAPI_MakeWire rim;
+    for (TopExp_Explorer edge(front, TopAbs_EDGE); edge.More(); edge.Next())
+        rim.Add(edge.Current().IsSame(line) ? curve : TopoDS::Edge(edge.Current()));
+    BRepBuilderAPI_MakeWire border(line, TopoDS::Edge(curve.Reversed()));
+    TopoDS_Shell shell;
+    TopoDS_Solid solid;
+    builder.MakeShell(shell);
+    builder.MakeSolid(solid);
+    for (TopExp_Explorer face(block, TopAbs_FACE); face.More(); face.Next())
+        if (!face.Current().IsSame(front)) builder.Add(shell, face.Current());
+    builder.Add(shell, BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 0), gp_Dir(0, -1, 0)), rim.Wire()).Face());
+    builder.Add(shell, BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 10), normal_of_strip), border.Wire()).Face());
+    builder.Add(solid, shell);
+    return solid;
 }
 
 }  // namespace
@@ -157,6 +206,18 @@ TEST_CASE("faces with one border are not joined where they are apart, however li
                                                  BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 19), 10).Shape())
                                   .Shape();
     CHECK(MergedEntities(Brep(lens), 0.1).warnings().empty());
+}
+
+TEST_CASE("edges with a face of no width between them are in one place as far as their tolerance says") {
+    const auto flat_faces = [](const gp_Dir& normal) {
+        const Brep brep(block_with_strip(normal));
+        const MergedEntities merged(brep);
+        return std::count(merged.is_flat.begin(), merged.is_flat.end(), 1);
+    };
+    CHECK(flat_faces(gp::DZ()) == 1);
+    CHECK(flat_faces(gp::DY()) == 0);
+    CHECK(surface_findings(Brep(block_with_strip(gp::DZ())), mesh_surface(Brep(block_with_strip(gp::DZ())), 4).mesh)
+              .empty());
 }
 
 TEST_CASE("edges of one solid in the same place are one chain") {
