@@ -911,6 +911,10 @@
       <translation>seine Prüfsumme ist falsch</translation>
     </message>
     <message>
+      <source>its surface is far larger than its border encloses, as if it ran back and forth</source>
+      <translation>ihre Oberfläche ist weit größer als das, was ihr Rand umschließt, als liefe sie hin und her</translation>
+    </message>
+    <message>
       <source>kept: {elements:count} {elements:element|elements} ({share:text} %)</source>
       <translation>behalten: {elements:count} {elements:Element|Elemente} ({share:text} %)</translation>
     </message>
