@@ -29,6 +29,7 @@ constexpr std::size_t few_tets = 50;        ///< so many may be small in any mes
 constexpr double most_tets_more = 1.25;
 constexpr std::size_t cheap_tets = 2000;  ///< so many more are no burden, where they do no more than double the mesh
 constexpr std::size_t most_tries = 3;     ///< of a place
+constexpr double most_longer = 4;         ///< than an angle asks for, see longer_
 constexpr std::size_t most_tets_again = 500'000;  ///< in all rounds; each goes through the whole mesh once
 constexpr double margin_of_first_try = 1.5;       ///< edge lengths around the tets; as much again in each other try
 constexpr double reach_of_place = 3;              ///< edge lengths: what is filled again, and what mends its interface
@@ -228,11 +229,12 @@ class AngleMender {
     /// than before.
     SizeSource wanted(const SmallTet& tet, std::size_t tries) const {
         constexpr double wanted_deg = 20, least_share = 0.15, shorter = 0.8;
-        return {tet.center, std::min(tet.longest * std::max(least_share, tet.angle_deg / wanted_deg),
+        return {tet.center, std::min(longer_ * tet.longest * std::max(least_share, tet.angle_deg / wanted_deg),
                                      std::pow(shorter, double(tries + 1)) * field_->at(tet.center))};
     }
 
-    /// Takes the filling where some place is better and none worse. False where nothing can be kept beside the places.
+    /// Takes the filling where some place is better and none worse. False where nothing can be kept beside the places,
+    /// or there is no room for more tets.
     bool fill_again(const std::vector<Place>& places, std::vector<SmallTet>& small) {
         std::vector<SizeSource> sources = sources_;
         for (const Place& place : places)
@@ -251,12 +253,20 @@ class AngleMender {
         if (again && origin_)
             origin = through(*origin_, origin_of(*again, std::move(origin), filled_.mesh, tets, context_));
         auto now = small_tets_of(again, origin_ ? &origin : nullptr);
-        if (!is_gain(places, small, now ? *now : small)) return true;
+        if (!is_gain(places, small, now ? *now : small)) return double(tets) <= most_tets_ || ask_for_longer();
+        has_gained_ = true;
         small = *std::move(now);
         filled_.mesh = std::move(again->mesh);
         if (origin_) *origin_ = std::move(origin);
         sources_ = std::move(sources);
         field_ = shorter;
+        return true;
+    }
+
+    /// For the next tries, where the last one took too many tets. False when that would be in vain.
+    bool ask_for_longer() {
+        if (has_gained_ || longer_ >= most_longer) return false;
+        longer_ *= 2;
         return true;
     }
 
@@ -290,7 +300,8 @@ class AngleMender {
         for (const Place& place : places) {
             const Place then = place.as_in(now);
             is_any_worse |= place.is_better_than(then);
-            const bool gains = !is_rest_worse && then.is_better_than(place);
+            const bool gains =
+                !is_rest_worse && then.is_better_than(place) && (longer_ == 1 || then.tets.size() < place.tets.size());
             is_any_better |= gains;
             if (!gains) failed_.push_back(place.box);
         }
@@ -302,6 +313,8 @@ class AngleMender {
     std::vector<SizeSource> sources_;  ///< the field's own, and what was asked for since
     std::optional<SizingField> field_;
     std::vector<Box> failed_;  ///< places
+    double longer_ = 1;  ///< times the length that an angle asks for, which took too many tets: fewer are to be small
+    bool has_gained_ = false;
     Filled& filled_;
     MeshOrigin* origin_;                            ///< of its mesh
     std::size_t first_tets_ = 0, filled_tets_ = 0;  ///< by the first filling, and by all

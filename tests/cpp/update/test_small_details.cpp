@@ -415,3 +415,13 @@ TEST_CASE("small angles that came with an edit are mended, and what was kept bes
         CHECK(are_same_bytes(now, updated(*plain.part_mesh, ribbed_block(0.2), options, 3).part_mesh->mesh));
     }
 }
+
+TEST_CASE("small angles are not mended again and again where that takes more tets than there is room for") {
+    MeshOptions options = options_of(5, 1);
+    options.sizing.min_size = 0.5;
+    const auto report = meshed(stepped_block(0.02, 28), options).report;
+    const auto is_mending = [](const auto& round) { return round.reason == "small angles"; };
+    const auto rounds = std::count_if(report.rounds.begin(), report.rounds.end(), is_mending);
+    CHECK(rounds > 0);
+    CHECK(rounds < 3);
+}
