@@ -259,7 +259,8 @@ TEST_CASE("beside a tip where two edges cross within their tolerance neither has
     SizingOptions options;
     options.size = 0.1;
     Mesh mesh;
-    const WantedLength wanted(make_sizing(brep, options, {}, context));
+    const SizingField sizing = make_sizing(brep, options, {}, context);
+    const WantedLength wanted(sizing);
     const EdgeChains chains(brep, MergedEntities(brep), wanted, beside, mesh, context);
     std::size_t count = 0;
     for (const Vec3& p : mesh.points) {
