@@ -17,7 +17,9 @@ namespace featuremesh {
 
 class WantedLength {
   public:
+    /// The field must outlive this.
     explicit WantedLength(const SizingField& field) : field_(field) {}
+    explicit WantedLength(SizingField&&) = delete;
 
     /// mm
     double at(const Vec3& p) const { return std::min(field_.at(p), limits_.at(p)); }
