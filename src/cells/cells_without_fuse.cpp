@@ -21,10 +21,13 @@ bool has_same_volumes(const Feature& was, const Feature& is) {
                       });
 }
 
-double sum_of_volumes(const Feature& feature, const Vec3& apex) {
+double sum_of_volumes(const Feature& feature, const Brep& final_shape) {
     double sum = 0;
     for (const FeatureVolume& volume : feature.volumes)
-        if (dimension_of(volume.shape) == Dimension::solids) sum += std::abs(flux(volume.shape, apex));
+        if (volume.shape.IsSame(final_shape.shape()))
+            sum += final_shape.volume();
+        else if (dimension_of(volume.shape) == Dimension::solids)
+            sum += std::abs(flux(volume.shape, final_shape.box().center()));
     return sum;
 }
 
@@ -39,7 +42,7 @@ CellModel cells_without_fuse(const FeatureTree& tree, const Brep& final_shape,
         const auto old = before ? before->tree.find(feature.name) : std::nullopt;
         model.feature_volumes.push_back(old && has_same_volumes(before->tree[*old], feature)
                                             ? before->cells.feature_volumes[old->index()]
-                                            : sum_of_volumes(feature, final_shape.box().center()));
+                                            : sum_of_volumes(feature, final_shape));
         if (!feature.error.empty()) model.report.untrusted.push_back(FeatureId(f));
     }
     return model;

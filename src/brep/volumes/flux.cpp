@@ -16,6 +16,7 @@
 #include <deque>
 #include <functional>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "brep/occt_geometry.h"
@@ -281,8 +282,24 @@ Direction along_v(const BRepAdaptor_Surface& surface) {
     return v;
 }
 
+/// Has it far more smooth stretches along v than along u, as the flank of a thread does? Then lines of constant u are
+/// costly.
+bool is_long_along_v(const BRepAdaptor_Surface& surface) {
+    constexpr int far_more = 4, many = 8;
+    if (!is_spline(surface) || surface.IsUPeriodic() || surface.IsVPeriodic()) return false;
+    const int count = surface.NbVIntervals(GeomAbs_CN);
+    return count >= many && count >= far_more * surface.NbUIntervals(GeomAbs_CN);
+}
+
+Direction along_u_of_long(const BRepAdaptor_Surface& surface) {
+    TColStd_Array1OfReal bounds(1, surface.NbUIntervals(GeomAbs_CN) + 1);
+    surface.UIntervals(bounds, GeomAbs_CN);
+    return {{bounds.begin(), bounds.end()}};
+}
+
 /// The flux through a curved face. By Green's theorem it is minus the integral of H du along the face's border, where
-/// H(u, v) is the flux through the line of constant u, from the start of v's range to v.
+/// H(u, v) is the flux through the line of constant u, from the start of v's range to v. Where the face is long along v
+/// the two parameters change places, which turns the border round.
 class CurvedFace {
   public:
     CurvedFace(const TopoDS_Face& face, const BRepAdaptor_Surface& surface, const Vec3& apex, double size)
@@ -292,7 +309,8 @@ class CurvedFace {
           surface_(surface),
           apex_(apex),
           size_(size),
-          v_(along_v(surface)),
+          is_turned_(face_.NbChildren() > 0 && is_long_along_v(surface)),
+          v_(is_turned_ ? along_u_of_long(surface) : along_v(surface)),
           border_(border_of(face)) {
         for (const TopoDS_Edge& edge : border_) traces_.emplace_back(edge, face_);
         if (is_spline(surface) && v_.stretches.size() > 2)
@@ -308,13 +326,16 @@ class CurvedFace {
             gaps = gaps_between(shifts);
         }
         double up_to_border = 0;
-        for (const Gap& gap : gaps)
-            up_to_border += up_to((gap.from.x + gap.to.x) / 2, (gap.from.y + gap.to.y) / 2) * (gap.to.x - gap.from.x);
+        for (const Gap& gap : gaps) {
+            const Vec3 middle = (gap.from + gap.to) / 2, along = gap.to - gap.from;
+            up_to_border += is_turned_ ? -up_to(middle.y, middle.x) * along.y : up_to(middle.x, middle.y) * along.x;
+        }
         up_to_border += sum_along(border_, [&](std::size_t i) {
             const Integrand share = [&](double t) {
                 gp_Pnt2d uv;
                 gp_Vec2d d;
                 traces_[i].D1(t, uv, d);
+                if (is_turned_) return d.Y() == 0 ? 0.0 : -up_to(uv.Y(), uv.X()) * d.Y();
                 return d.X() == 0 ? 0.0 : up_to(uv.X(), uv.Y() + shifts[i].v) * d.X();
             };
             return along(share, smooth_stretches(traces_[i]), relative_error * cube());
@@ -326,6 +347,7 @@ class CurvedFace {
 
   private:
     double density(const BRepAdaptor_Surface& surface, double u, double v) const {
+        if (is_turned_) std::swap(u, v);
         gp_Pnt p;
         gp_Vec du, dv;
         surface.D1(u, v, p, du, dv);
@@ -408,6 +430,7 @@ class CurvedFace {
     const BRepAdaptor_Surface& surface_;
     Vec3 apex_;
     double size_;
+    bool is_turned_;  ///< u is v, and v is u
     Direction v_;
     std::vector<TopoDS_Edge> border_;
     std::deque<BRepAdaptor_Curve2d> traces_;   ///< by edge

@@ -24,6 +24,7 @@
 #include <Geom_ToroidalSurface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -60,16 +61,17 @@ double flux_of_surface(const Handle(Geom_Surface) & surface) {
     return flux(BRepBuilderAPI_MakeFace(surface, 1e-7).Shape(), {7, -3, 11});
 }
 
-/// Without weights, as a loft makes it, of one stretch along u and three along v.
-Handle(Geom_Surface) wavy_spline(int v_degree) {
-    const int count = v_degree + 3;
+/// Without weights, as a loft makes it, of one stretch along u and so many along v.
+Handle(Geom_Surface) wavy_spline(int v_degree, int stretches = 3) {
+    const int count = v_degree + stretches;
     TColgp_Array2OfPnt poles(1, 4, 1, count);
     for (int i = 1; i <= 4; ++i)
         for (int k = 1; k <= count; ++k) poles(i, k) = {i + 0.1 * k, 2.0 * k, std::sin(3.0 * i + 5.0 * k)};
-    TColStd_Array1OfReal u_knots(1, 2), v_knots(1, 4);
-    TColStd_Array1OfInteger u_times(1, 2), v_times(1, 4);
+    const int last = stretches + 1;
+    TColStd_Array1OfReal u_knots(1, 2), v_knots(1, last);
+    TColStd_Array1OfInteger u_times(1, 2), v_times(1, last);
     for (int i = 1; i <= 2; ++i) u_knots(i) = i, u_times(i) = 4;
-    for (int i = 1; i <= 4; ++i) v_knots(i) = i * i, v_times(i) = i == 1 || i == 4 ? v_degree + 1 : 1;
+    for (int i = 1; i <= last; ++i) v_knots(i) = i * i, v_times(i) = i == 1 || i == last ? v_degree + 1 : 1;
     return new Geom_BSplineSurface(poles, u_knots, v_knots, u_times, v_times, 3, v_degree);
 }
 
@@ -122,6 +124,21 @@ TEST_CASE("what is above and below a slanted cut of a surface adds up to it, how
             CHECK(below + above == Approx(flux_of_surface(surface)).epsilon(1e-9));
         }
     }
+}
+
+TEST_CASE("a part of a face that is long along one parameter has the same flux whichever that is") {
+    const auto along_v = Handle(Geom_BSplineSurface)::DownCast(wavy_spline(3, 40));
+    const auto along_u = Handle(Geom_BSplineSurface)::DownCast(along_v->Copy());
+    along_u->ExchangeUV();
+    const std::array<gp_Pnt2d, 4> corners{gp_Pnt2d(1.1, 2), gp_Pnt2d(1.9, 40), gp_Pnt2d(1.7, 1500),
+                                          gp_Pnt2d(1.2, 1600)};
+    std::array<gp_Pnt2d, 4> turned;
+    std::transform(corners.rbegin(), corners.rend(), turned.begin(),
+                   [](const gp_Pnt2d& p) { return gp_Pnt2d(p.Y(), p.X()); });
+    const Vec3 apex{7, -3, 11};
+    CHECK(std::abs(flux(part_of_surface(along_v, corners), apex)) > 1);
+    CHECK(flux(part_of_surface(along_v, corners), apex) ==
+          Approx(-flux(part_of_surface(along_u, turned), apex)).margin(1e-5));
 }
 
 TEST_CASE("the shares of the faces add up, cut and whole") {
