@@ -224,6 +224,7 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
         }
     }
     for (std::size_t e = 0; e < data->edge.size(); ++e) {
+        if (!BRep_Tool::IsGeometric(data->edge[e])) throw InputError(say<Code::edge_without_curve>(EdgeId(e)));
         data->is_degenerated.push_back(BRep_Tool::Degenerated(data->edge[e]));
         TopoDS_Vertex first, last;
         TopExp::Vertices(data->edge[e], first, last);

@@ -8,6 +8,7 @@
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_TEdge.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAPI_PointsToBSpline.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -134,6 +135,12 @@ TEST_CASE("an open shell and a missing solid are refused by name") {
     CHECK_THROWS_WITH(Brep(BRepBuilderAPI_MakeSolid(shell).Shape()), Catch::Matchers::Contains("open at Edge"));
     CHECK_THROWS_AS(Brep(BRepBuilderAPI_MakeFace(gp_Pln(), 0, 1, 0, 1).Shape()), InputError);
     CHECK_THROWS_AS(Brep(TopoDS_Shape()), InputError);
+}
+
+TEST_CASE("an edge without a curve is named") {
+    const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();
+    Handle(BRep_TEdge)::DownCast(Brep(box).edge(EdgeId(4)).TShape())->ChangeCurves().Clear();
+    CHECK_THROWS_WITH(Brep(box), Catch::Matchers::Contains("Edge5 has no curve"));
 }
 
 TEST_CASE("a face drawn into a solid bounds nothing and leaves its shell closed") {
