@@ -23,6 +23,7 @@
 #include "surface/edge_chains.h"
 #include "surface/face_boundary.h"
 #include "surface/fill_face.h"
+#include "surface/flat_strips.h"
 #include "surface/heartbeat.h"
 #include "surface/opposite_nodes.h"
 #include "surface/opposite_places.h"
@@ -486,7 +487,11 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         const TrianglePairs& crossings = found.within;
         if (crossings.empty() && !opposite) {
             opposite = find_opposite_places(brep, result.mesh, before.triangles, context);
-            if (known_beside && add_beside(merged, opposite->edges, beside)) opposite.reset();
+            if (known_beside) {
+                std::vector<std::array<EdgeId, 2>> edges = edges_of_flat_strips(result.mesh, before.triangles);
+                edges.insert(edges.end(), opposite->edges.begin(), opposite->edges.end());
+                if (add_beside(merged, edges, beside)) opposite.reset();
+            }
             if (!opposite || has_places(*opposite)) {
                 kept = taken_back(std::move(result));
                 --attempt;
