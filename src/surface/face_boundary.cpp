@@ -113,20 +113,19 @@ class BoundaryBuilder {
             });
         };
         if (std::none_of(uses_.begin(), uses_.end(), follows)) return;
-        std::map<EdgeChains::Piece, std::vector<EdgeId>> edges_with;
+        std::map<EdgeChains::Piece, std::vector<Side>> sides_of;
         for (const Use& use : uses_)
-            for (const std::size_t piece : use.pieces)
-                if (!use.is_pole && !use.is_inner) edges_with[chains_.owner_of({use.edge, piece})].push_back(use.edge);
-        std::erase_if(edges_with, [](const auto& with) {
-            return with.second.size() != 2 || with.second.front() == with.second.back();
-        });
-        if (edges_with.empty()) return;
+            for (std::size_t i = 0; i < use.pieces.size(); ++i)
+                if (!use.is_pole && !use.is_inner)
+                    sides_of[chains_.owner_of({use.edge, use.pieces[i]})].push_back(side_of(use, i));
+        std::erase_if(sides_of, [](const auto& with) { return !are_of_slit(with.second); });
+        if (sides_of.empty()) return;
         std::vector<Use> whole = std::exchange(uses_, {});
         for (const Use& use : whole) {
             const auto first_of_two = [&](std::size_t piece) {
-                const auto with = edges_with.find(chains_.owner_of({use.edge, piece}));
-                const bool is_border = use.is_pole || use.is_inner || with == edges_with.end();
-                return is_border ? EdgeId() : with->second.front();
+                const auto with = sides_of.find(chains_.owner_of({use.edge, piece}));
+                const bool is_border = use.is_pole || use.is_inner || with == sides_of.end();
+                return is_border ? EdgeId() : with->second.front().edge;
             };
             for (std::size_t begin = 0, end; begin < use.pieces.size(); begin = end) {
                 const EdgeId first = first_of_two(use.pieces[begin]);
@@ -137,6 +136,25 @@ class BoundaryBuilder {
                 if (first.is_valid()) uses_.back().is_inner = uses_.back().is_closed_slit = true;
             }
         }
+    }
+
+    /// A piece in the chart.
+    struct Side {
+        EdgeId edge;
+        Vec2 middle;
+        double length;
+    };
+    static Side side_of(const Use& use, std::size_t piece) {
+        const Vec2 &a = use.points[piece], &b = use.points[piece + 1];
+        return {use.edge, 0.5 * (a + b), distance(a, b)};
+    }
+
+    /// Of two edges, and near one another. Where a face runs all round something and closes but for a sliver, the two
+    /// are as far apart as it is wide.
+    static bool are_of_slit(const std::vector<Side>& sides) {
+        constexpr double widest = 0.25;  // of a piece
+        return sides.size() == 2 && sides[0].edge != sides[1].edge &&
+               distance(sides[0].middle, sides[1].middle) <= widest * std::max(sides[0].length, sides[1].length);
     }
 
     static Use part_of(const Use& use, std::size_t begin, std::size_t end) {

@@ -434,7 +434,8 @@ void MergedEntities::add_stretches(const Brep& brep, EdgeId edge, const std::arr
                                    Stretches& uses) const {
     const std::vector<VertexId> sequence = sequence_of(brep, edge);
     const auto place = [&](VertexId v) { return std::find(sequence.begin(), sequence.end(), v) - sequence.begin(); };
-    const auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
+    auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
+    if (first == last) first = 0, last = std::ptrdiff_t(sequence.size()) - 1;  // all round
     const std::vector<EdgeId>& lenders = lender_of[edge.index()];
     for (std::ptrdiff_t i = first; i < last; ++i) {
         const auto s = static_cast<std::size_t>(i);

@@ -29,6 +29,7 @@
 #include <algorithm>
 #include <gp.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <set>
 
@@ -85,6 +86,17 @@ Mesh mesh_ignoring(const Brep& brep, const MergedEntities& merged, double size) 
     SurfaceOptions ignoring;
     ignoring.known = &merged;
     return fill_surface(brep, sizing, Mesh(), context, ignoring).mesh;
+}
+
+/// A block with a bore whose wall is a face nearly all round and a sliver as wide as `gap`.
+TopoDS_Shape block_with_nearly_closed_bore(double radius, double gap) {
+    const double angle = gap / radius;
+    const gp_Circ circle(gp_Ax2(gp_Pnt(15, 10, 0), gp::DZ()), radius);
+    const TopoDS_Edge arc = BRepBuilderAPI_MakeEdge(circle, angle, 2 * M_PI).Edge();
+    const TopoDS_Edge chord = BRepBuilderAPI_MakeEdge(TopExp::LastVertex(arc), TopExp::FirstVertex(arc)).Edge();
+    const TopoDS_Face base = BRepBuilderAPI_MakeFace(BRepBuilderAPI_MakeWire(arc, chord).Wire(), true).Face();
+    const TopoDS_Shape pin = BRepPrimAPI_MakePrism(base, gp_Vec(0, 0, 10)).Shape();
+    return BRepAlgoAPI_Cut(prism({{0, 0}, {30, 0}, {30, 20}, {0, 20}}, 10), pin).Shape();
 }
 
 /// A block with one edge twice: as a line and as a curve 0.01 above it in the face y = 0, with a face between them.
@@ -178,6 +190,17 @@ TEST_CASE(
 
     const Brep coarse(block_cut_by(0.05));
     CHECK(MergedEntities(coarse, 0.01).is_same_as(MergedEntities(coarse)));
+}
+
+TEST_CASE("a bore whose wall closes but for a sliver has the wall, and is left out only where that is") {
+    const Brep brep(block_with_nearly_closed_bore(4, 0.002));
+    REQUIRE(brep.face_count() == 8);
+    const MergedEntities merged(brep, 0.004);
+    CHECK(std::count(merged.is_flat.begin(), merged.is_flat.end(), 1) == 1);
+    const Mesh mesh = mesh_ignoring(brep, merged, 3);
+    CHECK(smallest_angle(mesh) > 20);
+    CHECK(euler_characteristic(mesh) == 0);
+    CHECK(area(mesh) == Approx(2 * (30 * 20 + 30 * 10 + 20 * 10 - 16 * M_PI) + 80 * M_PI).epsilon(0.02));
 }
 
 TEST_CASE("faces of one solid that lie on one another have no triangles, and the mesh is joined there") {
