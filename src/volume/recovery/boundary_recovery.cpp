@@ -22,6 +22,8 @@ namespace {
 /// updates of real parts, those that succeeded took six rounds at most.
 constexpr int most_rounds = 12, most_rounds_of_update = 6;
 constexpr int most_halving_rounds = 3;
+/// Of triangles that cross others. If more do once their edges are halved the shape crosses itself, whatever the size.
+constexpr std::size_t many_crossing = 1000;
 constexpr int most_constraining_rounds = 5;  // only around what is missing
 /// Kept tets that are not Delaunay may be many: then a cavity that grows by those at its interface would not end in
 /// time.
@@ -251,7 +253,15 @@ bool BoundaryRecovery::halve_crossing(Gap& gap) {
     const std::vector<int> crossing = crossing_facets(gap.cavity, gap.fill.places.missing);
     if (crossing.empty()) return false;
     log("triangles that cross others", crossing.size());
-    return halve(gap, crossing, cut_one_another(mesh_, gap.cavity, crossing));
+    Obstacle obstacle = cut_one_another(mesh_, gap.cavity, crossing);
+    if (std::exchange(last_crossing_, gap.round) != gap.round) crossing_before_ = std::exchange(crossing_, 0);
+    crossing_ += crossing.size();
+    if (crossing_before_ > many_crossing && crossing_ > crossing_before_) {
+        obstacle.shorter.clear();
+        gap.obstacle = std::move(obstacle);
+        return true;
+    }
+    return halve(gap, crossing, std::move(obstacle));
 }
 
 bool BoundaryRecovery::flip_if_many(Gap& gap) { return gap.are_many && flip(gap); }

@@ -117,7 +117,8 @@ class BoundaryRecovery {
     std::vector<KnownFill> finished_;  ///< by relocated points; nothing outside
     std::vector<KnownFill> outgrown_;
     int halving_rounds_ = 0, constraining_rounds_ = 0;
-    int last_halving_ = -1, last_constraining_ = -1;  ///< rounds
+    int last_halving_ = -1, last_constraining_ = -1, last_crossing_ = -1;  ///< rounds
+    std::size_t crossing_ = 0, crossing_before_ = 0;  ///< triangles, in that round and in the one before it
 };
 
 }  // namespace featuremesh

@@ -344,7 +344,7 @@ ConstrainedTriangulation constrained_delaunay(const Cavity& cavity, std::span<co
     append_converted(seeds, points);
     const std::vector<int> facet_of = facets_with_normal(cavity);
     // where facets all but touch, the library may follow a handle to nowhere
-    const std::size_t most_vertices = 2 * points.size() + spare_vertices + vertices_per_missing * missing;
+    const std::size_t most_vertices = points.size() + spare_vertices + vertices_per_missing * missing;
     auto found = run_isolated(
         [&](const RunContext& watched) {
             const VertexBudget budget(most_vertices, watched);
