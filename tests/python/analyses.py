@@ -110,3 +110,24 @@ def print_table(title, head, rows):
     print("\n" + title, file=sys.stderr)
     for row in [head, ["-" * width for width in widths], *rows]:
         print("| " + " | ".join(cell.ljust(width) for cell, width in zip(row, widths)) + " |", file=sys.stderr)
+
+
+def held_and_pushed(document, part):
+    """The plate held at one end and pushed down at the other."""
+    from statics_cases import STEEL, edges_along, faces_at
+    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+    add_solver(document, analysis)
+    add_material(document, analysis, "Steel", STEEL)
+    box = part.Shape.BoundBox
+    fixed = ObjectsFem.makeConstraintFixed(document, "Fixed")
+    fixed.References = [(part, faces_at(part, 0, box.XMin))]
+    force = ObjectsFem.makeConstraintForce(document, "Force")
+    force.References = [(part, faces_at(part, 0, box.XMax))]
+    force.Force = quantity(1000, "N")
+    force.Direction = (part, edges_along(part, 2)[:1])
+    force.Reversed = True
+    analysis.addObject(fixed)
+    analysis.addObject(force)
+    for obj in (fixed, force):
+        obj.ViewObject.Visibility = False
+    return analysis

@@ -5,6 +5,7 @@ import sys
 import unittest
 from unittest import mock
 
+import FreeCAD
 import numpy as np
 import ObjectsFem
 from freecad.featuremesh import analyses, api, engine, mesh_object, mesh_properties, overlays, reading, versions
@@ -301,6 +302,39 @@ class Groups(unittest.TestCase):
         self.document.recompute()
         self.assertIn("Fine", self.mesh.Status)
         self.assertIn("Body", self.mesh.Status)
+
+
+class SmallAngles(unittest.TestCase):
+    def setUp(self):
+        self.document = new_document("Small")
+        self.box = self.document.addObject("Part::Box", "Box")
+        self.box.Length, self.box.Width = 60, 40
+        self.addCleanup(FreeCAD.closeDocument, self.document.Name)
+
+    def remarks(self, part, size):
+        self.document.recompute()
+        report = api.update_mesh(api.add_mesh(part, size, order=1))
+        return report["quality"], [english(line) for line in report["warnings"] if "below 10 degrees" in line["template"] or "does not force" in line["template"]]
+
+    def cut(self, tool):
+        part = self.document.addObject("Part::Cut", "Cut")
+        part.Base, part.Tool = self.box, tool
+        return part
+
+    def test_those_that_the_part_does_not_force_are_told_with_their_place(self):
+        hole = self.document.addObject("Part::Cylinder", "Hole")
+        hole.Radius, hole.Placement.Base = 6, FreeCAD.Vector(20, 6.02, 0)   # its wall to the side is 0.02 mm thick
+        quality, (line,) = self.remarks(self.cut(hole), 4)
+        self.assertTrue(2 < quality["min_dihedral_unforced"] < 10, quality)
+        self.assertRegex(line, r"^%d elements have angles below 10 degrees, the smallest is [\d.]+ degrees, at (Face|Edge)\d.*: stresses are poor there" % quality["below_10"])
+
+    def test_of_those_that_it_forces_nothing_is_said(self):
+        tool = self.document.addObject("Part::Box", "Tool")
+        tool.Length = tool.Width = tool.Height = 200
+        tool.Placement = FreeCAD.Placement(FreeCAD.Vector(), FreeCAD.Rotation(FreeCAD.Vector(0, 0, 1), 6))
+        quality, lines = self.remarks(self.cut(tool), 4)
+        self.assertLess(quality["min_dihedral"], 10)
+        self.assertEqual(lines, [])
 
 
 class FacesThatGetOtherNumbers(unittest.TestCase):

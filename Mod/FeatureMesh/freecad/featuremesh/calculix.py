@@ -17,14 +17,12 @@ import FreeCAD
 import numpy as np
 from femtools import ccxtools
 
-from . import frd, solving, statics, statics_model, statics_result
+from . import frd, solvers, solving, statics, statics_model, statics_result
 from .errors import UserError
 from .messages import said
 from .reading import describe
 
 _TOTAL = re.compile(r"total force \(fx,fy,fz\) for set (\S+) and time\s+\S+\s+(\S+)\s+(\S+)\s+(\S+)")
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-_SEVERAL_SOLVERS = QT_TRANSLATE_NOOP("FeatureMesh", "the analysis {analysis:text} has several solvers: leave one CalculiX solver in it")
 _ENERGY = re.compile(r"total internal energy for set \S+ and time\s+\S+\s+(\S+)")
 _MASS = re.compile(r"total mass for set \S+ and time\s+\S+\s+(\S+)")
 _ALL = re.compile(r"^\*ELSET,\s*ELSET=(Eall|Evolumes)\s*$", re.MULTILINE | re.IGNORECASE)
@@ -63,7 +61,7 @@ def solve(analysis):
                           "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
                           "strain_energy_mj": printed_strain_energy(printed)},
             "iterations": None, "residual": None, "energy_error": None, "mesh_error": None,
-            "reused": {"preconditioner": False, "start_share": 0.0}, "warnings": remarks(tools.mesh.FemMesh.VolumeCount > 0, solver),
+            "reused": {"preconditioner": False, "start_share": 0.0}, "warnings": solvers.remarks(analysis, solver) + remarks(tools.mesh.FemMesh.VolumeCount > 0, solver),
             "seconds": {"read": written - start, "assemble": 0.0, "setup": 0.0, "solve": solved - written, "stresses": 0.0,
                         "result": time.perf_counter() - solved, "total": time.perf_counter() - start}}
 
@@ -160,11 +158,8 @@ def _read_arrays(analysis, known, path):
 
 
 def solver_of(analysis):
-    """Its only CalculiX solver, or a new one where it has none. Throws UserError."""
-    solvers = [member for member in statics_model.members_of(analysis) if hasattr(member, "AnalysisType")]
-    if len(solvers) > 1:
-        raise UserError(said(_SEVERAL_SOLVERS, analysis=describe(analysis)))
-    return solvers[0] if solvers else solving.add_solver(analysis)
+    """The CalculiX solver that is meant, or a new one where it has none. Throws UserError."""
+    return solvers.for_calculix(analysis) or solving.add_solver(analysis)
 
 
 def program():

@@ -5,7 +5,7 @@ import time
 
 import numpy as np
 
-from . import engine, log
+from . import engine, log, thin_elements
 from .messages import english, of_error, with_owners
 from .reports import with_details_in_one
 from .worker import WorkerDied
@@ -71,7 +71,8 @@ def run_engine(mesh, raw, options, progress):
         error.message = with_owners(of_error(error), lambda names: _owners_in(raw, options, names))
         error.args = (english(error.message),)
         raise
-    said = {"warnings": with_details_in_one(report["warnings"]), "fallback": report["fallback"], "rounds": report["rounds"]}
+    thin = thin_elements.remarks(part_mesh.arrays(), report["quality"])
+    said = {"warnings": with_details_in_one(report["warnings"]) + thin, "fallback": report["fallback"], "rounds": report["rounds"]}
     return part_mesh, {**report, **with_owners(said, part_mesh.labels_of_owners)}
 
 

@@ -356,10 +356,12 @@ class _Observer:
 
     def slotUndoDocument(self, document):
         self._keep_results(document)
+        statics_result.remove_left_over(document)
         _solve_again(document)
 
     def slotRedoDocument(self, document):
         self._keep_results(document)
+        statics_result.remove_left_over(document)
         _solve_again(document)
 
     def _keep_results(self, document):

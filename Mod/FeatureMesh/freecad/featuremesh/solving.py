@@ -10,9 +10,10 @@ from dataclasses import dataclass, field
 import FreeCAD
 import ObjectsFem
 
-from . import analyses, reading, solve_guard
+from . import analyses, reading, solve_guard, solvers
 from .errors import UserError
 from .messages import said
+from .user_words import in_words
 
 translate = FreeCAD.Qt.translate
 _TYPES = ("Fem::SolverCcxTools", "Fem::SolverCalculiX")   # the second one since 1.1
@@ -34,7 +35,10 @@ def solve(analysis):
     if not program:
         raise UserError(said("CalculiX (ccx) is not installed"))
     with contextlib.redirect_stdout(sys.__stderr__):   # FreeCAD's tools print what they write
-        _run(ccxtools.FemToolsCcx(analysis, solver_of(analysis), test_mode=False), analysis, program)
+        solver = solver_of(analysis)
+        _run(ccxtools.FemToolsCcx(analysis, solver, test_mode=False), analysis, program)
+    for remark in solvers.remarks(analysis, solver):
+        FreeCAD.Console.PrintMessage("%s: %s\n" % (reading.describe(analysis), in_words(remark)))
     results = [member for member in analysis.Group if member.isDerivedFrom("Fem::FemResultObject")]
     if not results:
         raise UserError(said("CalculiX gave no result for {analysis:text}", analysis=reading.describe(analysis)))
@@ -58,11 +62,10 @@ def _run(tools, analysis, program):
 
 
 def solver_of(analysis):
-    """Its first CalculiX solver that FreeCAD's own tools can run, or a new one."""
-    for member in analysis.Group:
-        if getattr(getattr(member, "Proxy", None), "Type", "") in _TYPES and not getattr(member, "Suppressed", False):
-            return member
-    return add_solver(analysis)
+    """The CalculiX solver that is meant, or a new one where FreeCAD's own tools can run none. Throws UserError."""
+    if not any(getattr(getattr(solver, "Proxy", None), "Type", "") in _TYPES for solver in solvers.of_calculix(analysis)):
+        return add_solver(analysis)
+    return solvers.for_calculix(analysis)
 
 
 def add_solver(analysis):

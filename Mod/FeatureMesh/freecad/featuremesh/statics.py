@@ -7,7 +7,7 @@ import time
 import FreeCAD
 import numpy as np
 
-from . import analyses, engine, statics_model, statics_supports
+from . import analyses, engine, solvers, statics_model, statics_supports
 from .errors import UserError
 from .messages import said
 from .reading import describe
@@ -74,6 +74,7 @@ class SolveJob:
         self.keep, self.threads = keep, threads or os.cpu_count() or 1
         self.start = start
         self.fields = self.report = None
+        self._remarks = solvers.remarks(analysis, solvers.for_linear_statics(analysis))
         self._read = time.perf_counter() - began
 
     def run(self, progress=None):
@@ -93,7 +94,7 @@ class SolveJob:
             "matrix_solver": {"name": "cg", "preconditioner": fields["preconditioner"], "why": "conjugate gradients (PETSc), the live solver's only one"},
             "responses": responses(statics, fields), "iterations": fields["iterations"], "residual": fields["residual"],
             "energy_error": fields["energy_error"], "mesh_error": fields["discretisation_error"],
-            "warnings": statics.warnings + (remarks(statics.arrays, fields["discretisation_error"]) if fields["displacements"].any() else without_load(statics)),
+            "warnings": self._remarks + statics.warnings + (remarks(statics.arrays, fields["discretisation_error"]) if fields["displacements"].any() else without_load(statics)),
             "reused": {"preconditioner": fields["kept_preconditioner"], "start_share": fields["kept_start_share"]},
             "seconds": {"read": read, **seconds, "total": self._read + time.perf_counter() - start}}
 

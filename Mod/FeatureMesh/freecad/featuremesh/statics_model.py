@@ -8,7 +8,7 @@ import FreeCAD
 import numpy as np
 from femtools import constants, femutils
 
-from . import analyses, engine, versions
+from . import analyses, engine, solvers, versions
 from .errors import UserError
 from .hand_over import EntityGroups
 from .materials import material_groups
@@ -107,6 +107,7 @@ class _Reader:
         members = members_of(analysis)
         materials = [member for member in members if femutils.is_of_type(member, "Fem::MaterialCommon")]
         self._read_materials(materials)
+        _check_solver(analysis)
         for member in members:
             if member in materials or analyses.source_of(member) is mesh or _is_without_effect(member):
                 continue
@@ -313,11 +314,9 @@ def gravity(member):
 
 
 def _is_without_effect(member):
-    """Results, live or not, texts and the solver, whose settings are looked at here."""
-    if member.isDerivedFrom("Fem::FemSolverObject") or member.isDerivedFrom("Fem::FemSolverObjectPython"):
-        _check_solver(member)
-        return True
-    return is_result(member) or member.isDerivedFrom("App::TextDocument")
+    """Results, live or not, texts and solvers."""
+    is_solver = member.isDerivedFrom("Fem::FemSolverObject") or member.isDerivedFrom("Fem::FemSolverObjectPython")
+    return is_solver or is_result(member) or member.isDerivedFrom("App::TextDocument")
 
 
 def is_result(member):
@@ -326,15 +325,12 @@ def is_result(member):
         or any(femutils.is_of_type(member, kind) for kind in ("Fem::MeshResult", LIVE_RESULT))
 
 
-def _check_solver(solver):
-    wanted = (("AnalysisType", "static"), ("GeometricalNonlinearity", "linear"), ("MaterialNonlinearity", "linear"))
-    for name, value in wanted:
-        found = getattr(solver, name, value)
-        if isinstance(found, bool):   # a switch since FreeCAD 1.1
-            found = "nonlinear" if found else "linear"
-        if found != value:
-            raise NotUnderstood(said("the live solver knows linear statics only, and {solver:text} asks for {setting:text} = {value:text}",
-                                     solver=describe(solver), setting=name, value=str(found)))
+def _check_solver(analysis):
+    solver = solvers.for_linear_statics(analysis)
+    beyond = solvers.beyond_linear_statics(solver) if solver is not None else None
+    if beyond is not None:
+        raise NotUnderstood(said("the live solver knows linear statics only, and {solver:text} asks for {setting:text} = {value:text}",
+                                 solver=describe(solver), setting=beyond[0], value=beyond[1]))
 
 
 def _kind_of(member):

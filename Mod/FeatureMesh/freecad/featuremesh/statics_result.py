@@ -6,12 +6,14 @@ import time
 import FreeCAD
 import numpy as np
 import ObjectsFem
+from femtools import femutils
 
 from . import hand_over, mesh_object, results
 
 _TENSOR = (("XX", 0), ("YY", 1), ("ZZ", 2), ("XY", 3), ("YZ", 4), ("XZ", 5))   # FreeCAD's names of the columns
 NODES = "MeshNodes"   # a property of results: the mesh's own numbers of their nodes, row by row, as no edit changes them
 _MASS_FLOW_AND_REST = 8   # figures of FreeCAD's table that are of no concern here: plastic strain, temperature, flow
+_made = set()   # (document's name, object's name) of results and their meshes
 
 
 def timed_show(live, analysis, job, same_mesh):
@@ -32,10 +34,11 @@ def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
     if result is None or result.Mesh is None:
         same_mesh = False
     if result is None:
-        result = ObjectsFem.makeResultMechanical(document, name)
+        result = _note_made(ObjectsFem.makeResultMechanical(document, name))
         analysis.addObject(result)
     if result.Mesh is None:
-        result.Mesh = ObjectsFem.makeMeshResult(document, "ResultMesh")
+        left = [obj for obj in document.Objects if not obj.InList and femutils.is_of_type(obj, "Fem::MeshResult")]   # of a result that was deleted
+        result.Mesh = left[0] if left else _note_made(ObjectsFem.makeMeshResult(document, "ResultMesh"))
         if result.Mesh.ViewObject is not None:
             result.Mesh.ViewObject.Visibility = False   # FEM's result panel shows it
     if not same_mesh:
@@ -46,6 +49,24 @@ def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
     result.purgeTouched()
     result.Mesh.purgeTouched()
     return result
+
+
+def remove_left_over(document):
+    """Undo may give back a result, or the mesh of one, in whose place another one was made meanwhile; what is of no use then is removed."""
+    for kind in ("Fem::FemResultObject", "Fem::FemMeshObject"):   # the meshes of removed results, too
+        for obj in _made_in(document):
+            if not obj.InList and obj.isDerivedFrom(kind):
+                document.removeObject(obj.Name)
+
+
+def _note_made(obj):
+    _made.add((obj.Document.Name, obj.Name))
+    return obj
+
+
+def _made_in(document):
+    """What was made there and is there still."""
+    return [obj for obj in (document.getObject(name) for owner, name in sorted(_made) if owner == document.Name) if obj is not None]
 
 
 def _note_nodes(result, numbers):

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is to be said of small angles that the part does not force. Of those below 2 degrees the engine tells (src/update/thin_tets.h)."""
+
+import numpy as np
+
+from .formats import connectivity, filling_of
+from .messages import said
+from .quality import dihedral_angle
+
+_SMALL, _TOLD_BY_ENGINE = 10.0, 2.0   # degrees
+_ENTITIES = "Vertex", "Edge", "Face", "Solid"
+
+
+def remarks(arrays, quality):
+    """A message, or none, of a mesh's arrays and the quality of its report."""
+    angle = quality["min_dihedral_unforced"]
+    if not _TOLD_BY_ENGINE <= angle < _SMALL:
+        return []
+    kind, mids, _, _ = filling_of(arrays)
+    elements = connectivity(arrays, kind, mids)
+    angles = dihedral_angle(arrays["points"], elements)
+    worst = elements[np.abs(angles - angle).argmin()]   # the part's own angles may force smaller ones elsewhere
+    place = "%s%d" % _name(min(map(tuple, arrays["entities"][worst].tolist())))
+    if quality["forced_by_cad"]:
+        return [said("The smallest angle that the part does not force is {angle:number} degrees, at {place:entities}: stresses are poor there. Mesh finer there, by a "
+                     "local size or a refinement zone, or take details out that are much smaller than the edge length.", angle=_rounded(angle), place=[place])]
+    return [said("{count:count} {count:element has an angle|elements have angles} below 10 degrees, the smallest is {angle:number} degrees, at {place:entities}: stresses are "
+                 "poor there. Mesh finer there, by a local size or a refinement zone, or take details out that are much smaller than the edge length.",
+                 count=int(quality["below_10"]), angle=_rounded(angle), place=[place])]
+
+
+def _name(entity):
+    dimension, index = entity
+    return _ENTITIES[dimension], index + 1
+
+
+def _rounded(angle):
+    return float("%.2g" % angle)

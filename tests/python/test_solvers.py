@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An analysis with several solver objects: which is taken, that it is said, and when nobody can know."""
+import shutil
+import unittest
+
+import ObjectsFem
+from analyses import add_solver
+from freecad.featuremesh import api, calculix, live_result, solvers, solving, statics
+from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.messages import english
+from statics_cases import HAS_SOLVER, Case
+
+
+class SeveralSolvers(Case):
+    def setUp(self):
+        super().setUp()
+        self.part, self.of_the_box = self.held_box(8.0)
+        self.first = solvers.for_calculix(self.of_the_box)
+
+    def add_one(self, kind="static", first=False):
+        solver = add_solver(self.document, self.of_the_box, kind)
+        if first:
+            self.of_the_box.Group = [solver] + [member for member in self.of_the_box.Group if member is not solver]
+        return solver
+
+    def both(self):
+        return calculix.solver_of(self.of_the_box), solving.solver_of(self.of_the_box)
+
+    def test_the_one_for_statics_is_taken_wherever_it_is(self):
+        self.add_one("frequency", first=True)
+        self.add_one("buckling")
+        self.assertEqual(self.both(), (self.first, self.first))
+
+    def test_other_programs_solvers_are_none_of_calculix(self):
+        for make in (ObjectsFem.makeSolverElmer, ObjectsFem.makeSolverZ88):
+            self.of_the_box.addObject(make(self.document))
+        self.assertEqual(self.both(), (self.first, self.first))
+
+    def test_the_only_one_is_taken_whatever_it_asks_for(self):
+        self.first.AnalysisType = "frequency"
+        self.assertEqual(self.both(), (self.first, self.first))
+
+    def test_where_two_may_be_meant_both_are_named(self):
+        self.add_one().Label = "Other one"
+        for find in (calculix.solver_of, solving.solver_of):
+            with self.assertRaisesRegex(UserError, "has several CalculiX solvers that may be meant, leave one of them in it: .*Solver.*, .*Other one"):
+                find(self.of_the_box)
+
+    @unittest.skipUnless(hasattr(ObjectsFem, "makeSolverCalculiX"), "this FreeCAD has no other solver object of CalculiX")
+    def test_freecads_tools_take_their_own_kind(self):
+        self.of_the_box.addObject(ObjectsFem.makeSolverCalculiX(self.document))
+        self.assertEqual(self.both(), (self.first, self.first))
+
+    @unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
+    def test_the_live_result_is_that_of_linear_statics(self):
+        alone = statics.solve(self.of_the_box)[1]
+        other = self.add_one("frequency", first=True)
+        live = api.live_result(self.of_the_box)
+        self.assertEqual(live.Status, live_result.UP_TO_DATE)
+        report = statics.solve(self.of_the_box)[1]
+        self.assertEqual(english(report["warnings"][0]), "solved as %s asks, not %s" % (self.first.Name, other.Name))
+        self.assertEqual(report["warnings"][1:], alone["warnings"])
+        self.add_one()   # for the live solver it is the same
+        self.assertEqual(statics.solve(self.of_the_box)[1]["responses"], alone["responses"])
+        self.first.AnalysisType = "buckling"
+        self.of_the_box.removeObject(self.document.Objects[-1])
+        for solver in solvers.of_calculix(self.of_the_box):
+            solver.AnalysisType = "frequency"
+        with self.assertRaisesRegex(statics.NotUnderstood, "the live solver knows linear statics only, and .* asks for AnalysisType = frequency"):
+            statics.solve(self.of_the_box)
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_calculix_says_which_it_took(self):
+        other = self.add_one("frequency", first=True)
+        report = api.solve_analysis(self.of_the_box, "ccx")
+        self.assertIn("solved as %s asks, not %s" % (self.first.Name, other.Name), list(map(english, report["warnings"])))
+        self.assertGreater(api.solve(self.of_the_box).figures["stress"], 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
