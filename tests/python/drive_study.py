@@ -13,23 +13,9 @@ import FreeCADGui as Gui  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 from window import (click, click_button_of, click_in_panel, click_in_view, double_click, figures, is_whole, panel, picture, report_view,  # noqa: E402
-                    send_key, send_mouse, spin, wait_for)
+                    press_at, send_key, spin, tick, wait_for)
 
 LONG = 900   # s, for what a busy machine does in its own time
-
-
-def press_at(widget, place):
-    send_mouse(widget, place, QtCore.QEvent.MouseMove, QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease)
-
-
-def tick(shown, target):
-    """The box of a dimension in the panel."""
-    item = shown.dimensions.item_of(target)
-    shown.dimensions.scrollToItem(item)
-    spin()
-    box = shown.dimensions.visualItemRect(item)
-    press_at(shown.dimensions.viewport(), QtCore.QPoint(box.left() + 10, box.center().y()))
-    return item
 
 
 def type_range(shown, item, text):
@@ -121,7 +107,9 @@ def check_five_clicks(document):
     wait_for(lambda: shown.bar.isVisible() and shown.bar.maximum() == 16 and shown.bar.value() > 0, LONG)
     assert shown.run_button.text() == "Stop" and "of 16 cases done" in shown.status.text(), shown.status.text()
     picture("study_running")
-    wait_for(lambda: has_ended(study), LONG)
+    left = set()
+    wait_for(lambda: left.add(shown.status.text().rpartition(", ")[2]) or has_ended(study), LONG)
+    assert not any("about 0 " in words for words in left) and left & {"nearly done", "about 1 s left", "about 2 s left"}, left
     shown.refresh()
     assert shown.status.text().startswith("16 of 16 cases done"), shown.status.text()
     click(shown.results_button)

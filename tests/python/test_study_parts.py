@@ -17,12 +17,13 @@ from matplotlib.figure import Figure
 from study_tests import ROOT
 
 from freecad.featuremesh.errors import UserError  # noqa: E402
+from freecad.featuremesh.messages import english  # noqa: E402
 from freecad.featuremesh.study import (  # noqa: E402
     answers, case_book, design, memory, modes, optimise, optuna_search, planning, plots, progress, runner, sampling, study_file, surface, worker_process)
 from freecad.featuremesh.study.classic_designs import box_behnken, central_composite  # noqa: E402
 from freecad.featuremesh.study.database import Database  # noqa: E402
 from freecad.featuremesh.study.expressions import Expression  # noqa: E402
-from freecad.featuremesh.study.response_words import parse_list, parse_response  # noqa: E402
+from freecad.featuremesh.study.response_words import KINDS, WORDS, parse_list, parse_response  # noqa: E402
 
 FULL_DISK = """
 import resource, signal, sys
@@ -112,6 +113,15 @@ class Words(unittest.TestCase):
         for said in ("mass_2", "max mises", "mass@Face1", "mass:p90", "max_mises:p101", {"name": "x"}, {"kind": "mass", "where": "Face1"}):
             with self.subTest(said=said), self.assertRaises(UserError):
                 parse_response(said)
+
+    def test_responses_are_called_what_they_are_or_by_their_own_names(self):
+        for text, words in (("mass", "mass, kg"), ("max_mises", "largest von Mises stress, MPa"), ("max_mises@Face3:p95", "von Mises stress (percentile 95) at Face3, MPa"),
+                            ("top=max_mises@Face3", "top, MPa"), ("frequency_1", "first frequency, Hz"), ("frequency_3", "frequency 3, Hz"),
+                            ("buckling_factor", "first buckling factor"),
+                            ("reaction_x@Fixed", "force in x at Fixed, N"), ("displacement_z@1.5,2,-3", "displacement in z at 1.5,2,-3, mm"),
+                            ({"name": "own", "expression": "mass / 2"}, "own"), ({"kind": "max_displacement", "at": "Hole"}, "largest displacement at Hole, mm")):
+            self.assertEqual(english(parse_response(text).title), words)
+        self.assertEqual(WORDS.keys(), KINDS.keys())
 
     def test_expressions_know_names_with_dots_and_nothing_of_python(self):
         self.assertEqual(Expression("HoleSketch.X > 2 * sqrt(radius)", "it").value({"HoleSketch.X": 5.0, "radius": 4.0}), True)
@@ -265,6 +275,11 @@ class Answers(unittest.TestCase):
         figure = Figure()
         plots.scatter(figure, data, responses)
         self.assertEqual([(axes.get_xlabel(), axes.get_ylabel()) for axes in figure.axes], [("x", "mass, kg"), ("y", ""), ("x", "stress, MPa"), ("y", "")])
+        figure = Figure()
+        for case in data.cases:
+            case.responses["max_mises"] = case.responses["stress"]
+        plots.scatter(figure, data, [parse_response("max_mises")], lambda message: english(message).upper())
+        self.assertEqual(figure.axes[0].get_ylabel(), "LARGEST VON MISES\nSTRESS, MPA")
         figure = Figure()
         plots.parallel(figure, data, responses)
         self.assertEqual([text.get_text() for text in figure.axes[0].texts],
@@ -464,6 +479,8 @@ class Keeping(unittest.TestCase):
         self.assertIsNone(progress.seconds_left(counts, [1, 1], [], 2))
         self.assertEqual(progress.seconds_left(counts, [4.0, 12.0], [9.0, 11.0], 2), (6 * 10 + 6) / 2)
         self.assertIn("2 of 10 done, 2 running, about 33 s left", progress.line(counts, [4.0, 12.0], [9.0, 11.0], 2))
+        self.assertIn("2 running, nearly done", progress.line({**counts, "waiting": 0}, [14.0, 12.0], [9.0, 11.0], 2))
+        self.assertTrue(progress.line({**counts, "done": 10, "running": 0, "waiting": 0}, [], [9.0, 11.0], 2).endswith("10 of 10 done, 0 running"))
 
     def test_jobs_wait_for_memory(self):
         self.assertEqual(memory.jobs_that_fit(4, 3e9, 7e9), 2)

@@ -66,7 +66,7 @@ class PlotTab(QtGui.QScrollArea):
             self._say(translate("FeatureMesh", "The cases that are done do not differ yet."))
             return None
         if self.kind != "tornado":
-            return data, responses
+            return data, responses, in_words
         found = [effects for effects in (answers.effects(data, response.name) for response in responses) if effects]
         if not found:
             self._say(translate("FeatureMesh", "There are too few cases to tell what matters; add some."))

@@ -3,7 +3,7 @@
 
 import FreeCAD
 
-from ..study.study_object import is_study
+from ..study import study_object
 
 _runs = {}   # (document's name, object's name) -> window_run.WindowRun
 
@@ -11,6 +11,7 @@ _runs = {}   # (document's name, object's name) -> window_run.WindowRun
 def install():
     """To be called once."""
     FreeCAD.addDocumentObserver(_Observer())
+    study_object.on_run.append(_keep)
 
 
 def run_of(study):
@@ -18,8 +19,7 @@ def run_of(study):
     return _runs.get(_key(study))
 
 
-def keep(study, run):
-    """Remembers what runs for the study."""
+def _keep(study, run):
     _runs[_key(study)] = run
 
 
@@ -36,7 +36,7 @@ def _end(study):
 class _Observer:
 
     def slotDeletedObject(self, obj):
-        if is_study(obj):
+        if study_object.is_study(obj):
             _end(obj)
 
     def slotDeletedDocument(self, document):

@@ -12,7 +12,7 @@ from ..errors import UserError
 from ..study import answers, report, response_words, study_object, table
 from ..study.folder import StudyFolder
 from ..user_words import as_shown, figure, in_words
-from . import errors, narrow
+from . import errors, narrow, recording
 from .save_dialog import ask_for_file
 from .study_plots import PlotTab
 from .undo import undo_step
@@ -136,7 +136,7 @@ class StudyWindow(QtGui.QDialog):
     def _fill(self):
         names = [entry.name for entry in (*self._design.parameters, *self._design.responses)]
         self.table.setColumnCount(len(names) + 3)
-        titles = [*(entry.name for entry in self._design.parameters), *(entry.title for entry in self._design.responses)]
+        titles = [*(entry.name for entry in self._design.parameters), *(in_words(entry.title) for entry in self._design.responses)]
         self.table.setHorizontalHeaderLabels([translate("FeatureMesh", "case"), translate("FeatureMesh", "state"), *titles, translate("FeatureMesh", "message")])
         self.table.horizontalHeader().setStretchLastSection(True)
         self.table.verticalHeader().hide()
@@ -150,9 +150,9 @@ class StudyWindow(QtGui.QDialog):
 
     def _in_words(self, case):
         values = {**case.parameters, **case.responses}
-        units = {response.name: " " + response.unit if response.unit else "" for response in self._design.responses}
-        names = [entry.name for entry in (*self._design.parameters, *self._design.responses) if entry.name in values]
-        words = ", ".join("%s %s%s" % (name, _shown(values[name]), units.get(name, "")) for name in names)
+        known = [(entry.name, entry.name, "") for entry in self._design.parameters]
+        known += [(entry.name, in_words(entry.words), " " + entry.unit if entry.unit else "") for entry in self._design.responses]
+        words = ", ".join("%s %s%s" % (word, _shown(values[name]), unit) for name, word, unit in known if name in values)
         return translate("FeatureMesh", "Case %d: %s") % (case.id, in_words(case.message) if case.state in ("failed", "infeasible") else words)
 
     def _open_selected(self):
@@ -168,7 +168,8 @@ class StudyWindow(QtGui.QDialog):
             Gui.Control.closeDialog()   # of the study, whose dimensions change
         try:
             with undo_step(self._document, title):
-                study_object.show_values(self.study, self._design, values)
+                assignments = [parameter.assignment(values[parameter.name]) for parameter in self._design.parameters]
+                recording.run(study_object.show_values, self.study, assignments)
                 if is_solvable and self.study.Analysis is not None and response_words.needs_solution(self._design.responses):
                     self._show_result()
         except Exception as error:
@@ -178,10 +179,10 @@ class StudyWindow(QtGui.QDialog):
         """The live result where that knows the analysis, else CalculiX's."""
         analysis = self.study.Analysis
         if study_object.is_for_live(analysis):
-            live = api.live_result(analysis)
+            live = recording.run(api.live_result, analysis)
             live.ViewObject.Proxy.show_alone(live)
         else:
-            api.solve(analysis)
+            recording.run(api.solve, analysis)
 
     def _report(self):
         """Writes the page and opens it."""

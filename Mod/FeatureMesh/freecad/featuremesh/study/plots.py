@@ -3,6 +3,7 @@
 
 import base64
 import io
+import textwrap
 
 import numpy as np
 from matplotlib import colormaps
@@ -19,11 +20,12 @@ _SHADES = 200
 _ROOM = 6   # for how many axes' names there is room beside each other
 _AROUND = 0.05   # of a number that all cases have, shown above and below it
 _ACROSS = 3   # tornado plots beside each other
+_LETTERS_HIGH, _LETTERS_BESIDE, _LETTERS_WIDE = 24, 18, 40   # in a line of a name: along the axis of a scatter, beside others, below a plot
 _BLUE, _ORANGE, _GREY = "#2b6cb0", "#dd6b20", "#a0aec0"
 
 
-def scatter(figure, data, responses):
-    """Each response over each parameter. The points are pickable, in the order of the cases."""
+def scatter(figure, data, responses, say=english):
+    """Each response over each parameter. The points are pickable, in the order of the cases. `say` puts messages into words."""
     figure.set_size_inches(3.2 * len(data.names) + 1, 2.4 * len(responses))
     axes = figure.subplots(len(responses), len(data.names), squeeze=False)
     for row, response in enumerate(responses):
@@ -32,13 +34,13 @@ def scatter(figure, data, responses):
             plot.scatter(low + (data.points[:, column] + 1) / 2 * (high - low), data.values(response.name), s=14, color=_BLUE, picker=5)
             plot.set_xlabel(name)
             if column == 0:
-                plot.set_ylabel(response.title)
+                plot.set_ylabel(_in_lines(say(response.title), _LETTERS_HIGH))
             values = data.values(response.name)
             if are_the_same(values) and values.any():
                 plot.set_ylim(*sorted(((1 - _AROUND) * values[0], (1 + _AROUND) * values[0])))
 
 
-def parallel(figure, data, responses):
+def parallel(figure, data, responses, say=english):
     """A line for each case across all parameters and responses, coloured by the first response, as its axis shows. The lines are pickable, in the order of the cases."""
     names = data.names + [response.name for response in responses]
     shares = np.column_stack([(data.points + 1) / 2, *(_shares(data.values(response.name)) for response in responses)])
@@ -50,13 +52,18 @@ def parallel(figure, data, responses):
         plot.plot(line, color=colormaps["viridis"](line[coloured]), alpha=0.8, linewidth=1.1, picker=4)
     scale = np.linspace(0, 1, _SHADES)
     plot.scatter(np.full(_SHADES, coloured), scale, c=scale, cmap="viridis", marker="s", s=24, linewidths=0)   # what the colours mean
-    titles = data.names + [response.title for response in responses]
+    titles = data.names + [_in_lines(say(response.title), _LETTERS_BESIDE) for response in responses]
     for place, (name, (low, high)) in enumerate(zip(titles, limits)):
         plot.axvline(place, color=_GREY, linewidth=0.8)
         ends = _told_apart(low, high)
         plot.text(place, -0.07, "%s\n%s%s" % (ends[0], "\n" if len(titles) > _ROOM and place % 2 else "", name), ha="center", va="top", fontsize=8)
         plot.text(place, 1.07, ends[1], ha="center", va="bottom", fontsize=8)
     plot.set_axis_off()
+
+
+def _in_lines(text, letters):
+    """The same text in lines of so many letters."""
+    return textwrap.fill(text, letters, break_long_words=False)
 
 
 def _told_apart(low, high):
@@ -82,7 +89,7 @@ def tornado(figure, data, responses, all_effects, say=english):
         plot.xaxis.set_major_locator(MaxNLocator(3))
         plot.xaxis.set_major_formatter(FuncFormatter(lambda value, _: "%.3g" % value))
         plot.tick_params(labelsize=8)
-        plot.set_xlabel(say(said("change of")) + "\n" + units[found.response].title)
+        plot.set_xlabel(say(said("change of")) + "\n" + _in_lines(say(units[found.response].title), _LETTERS_WIDE))
 
 
 def pareto(figure, data, front, first, second, say=english):
@@ -91,8 +98,8 @@ def pareto(figure, data, front, first, second, say=english):
     plot = figure.subplots()
     plot.scatter(data.values(first.name), data.values(second.name), s=16, color=_GREY, label=say(said("cases")))
     plot.plot([case.responses[first.name] for case in front], [case.responses[second.name] for case in front], "o-", color=_ORANGE, label=say(said("not beaten")))
-    plot.set_xlabel(first.title)
-    plot.set_ylabel(second.title)
+    plot.set_xlabel(say(first.title))
+    plot.set_ylabel(_in_lines(say(second.title), _LETTERS_WIDE))
     plot.legend()
 
 

@@ -14,7 +14,9 @@ def line(counts, running_for, seconds, jobs):
     filled = _WIDTH * finished // total if total else 0
     words = ["%d of %d done" % (counts["done"], total), "%d running" % counts["running"]]
     words += ["%d %s" % (counts[state], state) for state in ("infeasible", "failed") if counts[state]]
-    return "[%s%s] %s, %s" % ("#" * filled, "." * (_WIDTH - filled), ", ".join(words), in_words(seconds_left(counts, running_for, seconds, jobs)))
+    if counts["waiting"] or counts["running"]:
+        words.append(in_words(seconds_left(counts, running_for, seconds, jobs)))
+    return "[%s%s] %s" % ("#" * filled, "." * (_WIDTH - filled), ", ".join(words))
 
 
 def seconds_left(counts, running_for, seconds, jobs):
@@ -29,6 +31,8 @@ def seconds_left(counts, running_for, seconds, jobs):
 def in_words(seconds):
     if seconds is None:
         return "time left not known yet"
+    if seconds < 0.5:
+        return "nearly done"
     if seconds < 90:
         return "about %d s left" % round(seconds)
     if seconds < 5400:

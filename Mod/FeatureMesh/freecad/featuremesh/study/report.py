@@ -42,8 +42,8 @@ class _Page:
         data = self._data
         parts = [self._head(), self._best_cases(goal, limits), *self._what_matters()]
         if data.names:
-            parts += [*self._picture(said("Responses over parameters"), plots.scatter, data, data.study.responses),
-                      *self._picture(said("All cases at once"), plots.parallel, data, data.study.responses)]
+            parts += [*self._picture(said("Responses over parameters"), plots.scatter, data, data.study.responses, self._say),
+                      *self._picture(said("All cases at once"), plots.parallel, data, data.study.responses, self._say)]
         parts += [*self._pareto(pair), self._title(said("Cases")), self._cases_table()]
         return "<!DOCTYPE html><html><meta charset=utf-8><title>%s</title><style>%s</style><body>%s</body></html>\n" % (
             self._heading(), _STYLE, "\n".join(parts))
@@ -83,7 +83,7 @@ class _Page:
                              case=self._case_in_words(case) if case else said("no case keeps that")))
         for response in data.study.responses:
             least, largest = (pick(data.cases, key=lambda case: case.responses[response.name]) for pick in (min, max))
-            rows.append(said("{response:text}: least {least:text} in case {case:count}, largest {largest:text} in case {other:count}", response=response.name,
+            rows.append(said("{response:messages}: least {least:text} in case {case:count}, largest {largest:text} in case {other:count}", response=response.words,
                              least=self._with_unit(least, response), case=least.id, largest=self._with_unit(largest, response), other=largest.id))
         return "<ul>%s</ul>" % "".join("<li>%s</li>" % self._words(row) for row in rows)
 
@@ -98,8 +98,9 @@ class _Page:
     def _effects_table(self, all_effects):
         head = self._row_of_titles([said("response"), said("parameter"), said("main effect"), said("first-order index"), said("total index"),
                                     said("surface, left-out error")])
+        words = {response.name: response.words for response in self._data.study.responses}
         rows = ["<tr><td>%s<td>%s<td>%s<td>%s<td>%s<td>%s</tr>" % (
-            html.escape(found.response), html.escape(name), *map(self._as_shown, (
+            self._words(words[found.response]), html.escape(name), *map(self._as_shown, (
                 "%.4g" % found.main[place], "%.3f" % _index(found.first[place]), "%.3f" % _index(found.total[place]))),
             self._words(self._surface(found)) if not place else "") for found in all_effects for place, name in enumerate(self._data.names)]
         return "<table>%s%s</table>%s" % (head, "".join(rows), self._note(said(
@@ -118,7 +119,7 @@ class _Page:
                 raise UserError(said("compromises are between two responses, not {responses:text}", responses=", ".join(pair)))
             return []
         front = answers.pareto(data, *names)
-        title = said("Compromises between {one:text} and {other:text}", one=names[0], other=names[1])
+        title = said("Compromises between {one:messages} and {other:messages}", one=responses[names[0]].words, other=responses[names[1]].words)
         return [*self._picture(title, plots.pareto, data, front, *(responses[name] for name in names), self._say, what=said("Pareto front")),
                 "<p>%s</p>" % self._words(said("Less of both: {cases:text}.", cases=", ".join(
                     self._say(said("case {case:count}", case=case.id)) for case in front)))]
@@ -139,7 +140,8 @@ class _Page:
         return "<tr>%s</tr>" % "".join("<td>" + html.escape(cell) for cell in cells)
 
     def _case_in_words(self, case):
-        values = ", ".join("%s %s" % (name, self._shown(value)) for name, value in {**case.parameters, **case.responses}.items())
+        words = {response.name: self._say(response.words) for response in self._data.study.responses}
+        values = ", ".join("%s %s" % (words.get(name, name), self._shown(value)) for name, value in {**case.parameters, **case.responses}.items())
         return said("case {case:count} ({values:text})", case=case.id, values=values)
 
     def _surface(self, found):

@@ -15,6 +15,18 @@ KINDS = {
     "displacement_x": "mm", "displacement_y": "mm", "displacement_z": "mm", "reaction": "N", "reaction_x": "N", "reaction_y": "N",
     "reaction_z": "N", "strain_energy": "mJ", "buckling_factor": "", "frequency": "Hz", "max_temperature": "K", "min_temperature": "K",
 }
+# Kind -> what a person calls it; the database, tables for programs and expressions have its name.
+WORDS = {
+    "mass": said("mass"), "volume": said("volume"), "area": said("area"), "max_mises": said("largest von Mises stress"),
+    "max_principal": said("largest principal stress"), "min_principal": said("smallest principal stress"), "max_displacement": said("largest displacement"),
+    "displacement_x": said("displacement in x"), "displacement_y": said("displacement in y"), "displacement_z": said("displacement in z"),
+    "reaction": said("force on all supports"), "reaction_x": said("force on all supports in x"), "reaction_y": said("force on all supports in y"),
+    "reaction_z": said("force on all supports in z"), "strain_energy": said("strain energy"), "buckling_factor": said("first buckling factor"),
+    "frequency": said("first frequency"), "max_temperature": said("largest temperature"), "min_temperature": said("smallest temperature"),
+}
+_OF_SOME_NODES = {"max_mises": said("von Mises stress"), "max_displacement": said("displacement"), "max_temperature": said("temperature"), "min_temperature": said("temperature")}
+_ON_A_SUPPORT = {"reaction": said("force"), "reaction_x": said("force in x"), "reaction_y": said("force in y"), "reaction_z": said("force in z")}
+_OF_A_MODE = {"buckling_factor": said("buckling factor {mode:count}", mode=2), "frequency": said("frequency {mode:count}", mode=2)}
 OF_PART = ("mass", "volume", "area")   # need no solution
 STRESSES = ("max_mises", "max_principal", "min_principal")
 _OF_NODES = (*STRESSES, "max_displacement", "displacement_x", "displacement_y", "displacement_z", "max_temperature", "min_temperature")
@@ -38,9 +50,30 @@ class Response:
         return KINDS.get(self.kind, "")
 
     @property
+    def words(self):
+        """What a person calls it, a message: by the name that the user gave it, else by what it is."""
+        return said("{name:text}", name=self.name) if self._has_own_name() else _in_words(self)
+
+    @property
     def title(self):
-        """Name and unit, as an axis or a column has it."""
-        return "%s, %s" % (self.name, self.unit) if self.unit else self.name
+        """Words and unit, as an axis or a column has them, a message."""
+        return said("{name:messages}, {unit:text}", name=self.words, unit=self.unit) if self.unit else self.words
+
+    def _has_own_name(self):
+        kinds = [self.kind, "%s_%d" % (self.kind, self.mode), "%s%d" % (self.kind, self.mode)]
+        without_share = self.name.rpartition(":p")[0] or self.name if self.percentile is not None else self.name
+        return self.kind is None or without_share not in [*kinds, *("%s@%s" % (kind, self.at) for kind in kinds)]
+
+
+def _in_words(response):
+    words = WORDS[response.kind]
+    if response.kind in _OF_A_MODE and response.mode > 1:
+        words = {**_OF_A_MODE[response.kind], "parameters": {"mode": response.mode}}
+    if response.percentile is not None:
+        words = said("{what:messages} (percentile {percent:number})", what=_OF_SOME_NODES.get(response.kind, words), percent=response.percentile)
+    if response.at:
+        words = said("{what:messages} at {place:text}", what=_ON_A_SUPPORT.get(response.kind, words), place=response.at)
+    return words
 
 
 def parse_response(given):

@@ -5,7 +5,7 @@ import os
 
 import FreeCAD
 
-from .. import api, documents, engine, preferences, resolving, statics, statics_model, versions
+from .. import api, documents, engine, preferences, resolving, solvers, statics, statics_model, versions
 from ..errors import UserError
 from ..messages import said
 from ..proxies import Stateless, add_missing
@@ -63,6 +63,8 @@ class StudyObject(Stateless):
 
 # Called with every study object that was made or opened; the window's side adds its view there.
 on_ready = []
+# Called with a study object and what runs for it; the window's side keeps that, so that its panel can stop it.
+on_run = []
 
 
 def is_study(obj):
@@ -95,7 +97,8 @@ def kind_of(analysis):
     """FreeCAD's word for what is solved; static where a live result or nothing solves it, None without an analysis."""
     if analysis is None:
         return None
-    return next((member.AnalysisType for member in analysis.Group if hasattr(member, "AnalysisType")), "static")
+    found = solvers.of_calculix(analysis)
+    return "static" if not found or any(solver.AnalysisType == "static" for solver in found) else found[0].AnalysisType
 
 
 def study_of(obj, document_path):
@@ -130,7 +133,7 @@ def start(obj):
     documents.save_document(obj.Document, path)
     study_file.write(study_of(obj, path), os.path.join(folder, "study.toml"))
     obj.Folder = folder
-    return window_run.WindowRun(folder, obj.Jobs)
+    return _told(obj, window_run.WindowRun(folder, obj.Jobs))
 
 
 def _name_of_copy(path):
@@ -141,7 +144,13 @@ def _name_of_copy(path):
 
 def go_on(obj, more=0):
     """Runs what waits in the study's folder, with so many cases more. Returns the window_run.WindowRun. Throws UserError."""
-    return window_run.WindowRun(obj.Folder, obj.Jobs, more)
+    return _told(obj, window_run.WindowRun(obj.Folder, obj.Jobs, more))
+
+
+def _told(obj, run):
+    for hook in on_run:
+        hook(obj, run)
+    return run
 
 
 def has_mesh(obj):
@@ -160,9 +169,10 @@ def is_as_run(obj):
     return {**asked.to_plain(), **same} == {**kept.to_plain(), **same}
 
 
-def show_values(obj, study, values):
-    """Gives the document the values of a case, or those that it had: the part and its mesh follow, made where there is none. Throws UserError."""
-    api.set_parameters(obj.Document, [parameter.assignment(values[parameter.name]) for parameter in study.parameters])
+def show_values(obj, assignments):
+    """Gives the document the values of a case, or those that it had, as for api.set_parameters: the part and its mesh follow, made where there is none. Throws
+    UserError."""
+    api.set_parameters(obj.Document, assignments)
     if not has_mesh(obj):
         api.add_mesh(obj.Part, **preferences.for_new_mesh())
     api.recompute(obj.Document)

@@ -66,17 +66,24 @@ class WindowRun:
         return translate("FeatureMesh", "stopped") if ended["state"] == "stopped" else in_words(ended["message"])
 
 
-def how_far(folder, jobs=1):
-    """(cases finished, cases in all, seconds left or None) of the study in a folder, (0, 0, None) before it has cases."""
+def how_far(folder, jobs=1, running_since=None):
+    """(cases finished, cases in all, seconds left or None) of the study in a folder, (0, 0, None) before it has cases. `running_since` is a dict that remembers from
+    one call to the next since when cases run."""
     if not os.path.exists(os.path.join(folder, "study.sqlite")):
         return 0, 0, None
     database = StudyFolder(folder).database
     try:
         counts = database.counts()
         seconds = [case.seconds["total"] for case in database.cases("done") if "total" in case.seconds]
+        running = [(case.id, case.attempts) for case in database.cases("running")]
     finally:
         database.close()
-    left = progress.seconds_left(counts, [], seconds, jobs)
+    now, known = time.monotonic(), running_since or {}
+    since = {case: known.get(case, now) for case in running}
+    if running_since is not None:
+        running_since.clear()
+        running_since.update(since)
+    left = progress.seconds_left(counts, [now - begun for begun in since.values()], seconds, jobs)
     return counts["done"] + counts["infeasible"] + counts["failed"], sum(counts.values()), left
 
 
