@@ -92,13 +92,15 @@ def check_study_results(document, study, folder):
     made = StudyFolder(path, new=True)
     for place in (made.base_path, os.path.join(folder, "part.FCStd")):
         document.saveCopy(place)
-    plan = design.Study(os.path.join(folder, "part.FCStd"), [design.parse_parameter("Plate.Length=50:70")], [design.parse_response("mass")], cases=9)
+    responses = list(map(design.parse_response, ("mass", "max_mises@Face3")))
+    plan = design.Study(os.path.join(folder, "part.FCStd"), [design.parse_parameter("Plate.Length=50:70")], responses, cases=9)
 
     def fill(made):
         ids = made.database.add_cases([({"Plate.Length": 50.0 + n}, said("the constraint {constraint:text} is not kept", constraint="Plate.Length < 58")
                                         if n == 8 else None) for n in range(9)], "lhs")
         for n, case in enumerate(ids[:7]):
-            made.database.finish(case, {"state": "done", "responses": {"mass": 1.0 + 0.1 * n}, "mesh": {"kept_share": 0.9}, "seconds": {"total": 1.5}})
+            values = {"mass": 1.0 + 0.1 * n, "max_mises@Face3": 90.5 - n}
+            made.database.finish(case, {"state": "done", "responses": values, "mesh": {"kept_share": 0.9}, "seconds": {"total": 1.5}})
         made.database.finish(ids[7], {"state": "failed", "message": said("it was ended from outside ({signal:text})", signal="SIGKILL")})
     made.create(plan, {"nodes": 1200, "elements": 1, "solver": "live", "remarks": [], "base_values": {"Plate.Length": 60.0}}, fill)
     study.Folder = path
@@ -106,12 +108,14 @@ def check_study_results(document, study, folder):
     results = study_window.show(study)
     results.tabs.setCurrentIndex(3)
     spin()
-    texts = [results.table.item(row, column).text() for row in range(9) for column in (1, 4)]
+    texts = [results.table.item(row, column).text() for row in range(9) for column in (1, 5)]
     assert texts[-4:] == ["fehlgeschlagen", "er wurde von außen beendet (SIGKILL)", "nicht machbar", "die Bedingung Plate.Length < 58 ist nicht eingehalten"], texts
     picture("german_study_cases")
     results.tabs.setCurrentIndex(2)
     window.wait_for(lambda: results.plots[2].canvas is not None)
     assert "Änderung von" in results.plots[2].canvas.figure.axes[0].get_xlabel()
+    headers = [results.table.horizontalHeaderItem(column).text() for column in range(results.table.columnCount())]
+    assert headers[2:5] == ["Plate.Length", "Masse, kg", "größte Vergleichsspannung an Face3, MPa"], headers
     for tab in (0, 1):
         results.tabs.setCurrentIndex(tab)
         window.wait_for(lambda: results.plots[tab].canvas is not None)

@@ -18,6 +18,7 @@ import FreeCADGui as Gui  # noqa: E402
 import numpy as np  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
+from analyses import held_and_pushed  # noqa: E402
 from PySide import QtGui  # noqa: E402
 from window import click, click_button_of, click_in_panel, figures, is_whole, on_the_screen, panel, picture, pixels, report_view, spin, wait_for  # noqa: E402
 
@@ -49,28 +50,6 @@ def no_solution_ends():
             yield
         finally:
             may_end.set()
-
-
-def add_analysis(document, part):
-    """The plate held at one end and pushed down at the other."""
-    from analyses import add_material, add_solver, quantity
-    from statics_cases import STEEL, edges_along, faces_at
-    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
-    add_solver(document, analysis)
-    add_material(document, analysis, "Steel", STEEL)
-    box = part.Shape.BoundBox
-    fixed = ObjectsFem.makeConstraintFixed(document, "Fixed")
-    fixed.References = [(part, faces_at(part, 0, box.XMin))]
-    force = ObjectsFem.makeConstraintForce(document, "Force")
-    force.References = [(part, faces_at(part, 0, box.XMax))]
-    force.Force = quantity(1000, "N")
-    force.Direction = (part, edges_along(part, 2)[:1])
-    force.Reversed = True
-    analysis.addObject(fixed)
-    analysis.addObject(force)
-    for obj in (fixed, force):
-        obj.ViewObject.Visibility = False
-    return analysis
 
 
 def hues(seen):
@@ -497,8 +476,45 @@ def check_another_of_its_name(document, analysis):
     wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
 
 
+def check_result_deleted(document, live):
+    """FEM's mesh of the result, then the result itself, is deleted, another one is made by an edit, and both are undone: there is one of each."""
+    from freecad.featuremesh.gui import live_runner
+
+    def there():
+        return sorted(obj.TypeId for obj in document.Objects if obj.Name.startswith(("LiveResult", "ResultMesh")))
+
+    def edit(length):
+        document.openTransaction("Edit")
+        document.Plate.Length = length
+        document.recompute()
+        document.commitTransaction()
+        wait_for(lambda: is_solved() and live.Result is not None and live.Result.Mesh is not None, 60)
+
+    def is_solved():
+        return live.Status == "up to date" and live_runner.run_of(live) is None
+
+    wanted, length = there(), document.Plate.Length.Value
+    assert len(wanted) == 2, wanted
+    warning = QtGui.QMessageBox.warning
+    QtGui.QMessageBox.warning = staticmethod(lambda *words: QtGui.QMessageBox.Yes)   # FEM's question
+    for of_live in (lambda: live.Result.Mesh, lambda: live.Result, lambda: live.Result):
+        name = of_live().Name
+        window.delete(of_live())
+        assert document.UndoNames[0] == "Delete", (name, document.UndoNames)
+        edit(length + 1)
+        assert there() == wanted, there()
+        for step in range(2):
+            Gui.runCommand("Std_Undo")
+            spin()
+        spin(1)
+        wait_for(is_solved, 60)
+        assert there() == wanted and live.Result is not None and live.Result.Mesh is not None, there()
+    QtGui.QMessageBox.warning = warning
+    Gui.Selection.clearSelection()
+
+
 def drive():
-    from freecad.featuremesh import api, engine
+    from freecad.featuremesh import api, engine, live_result
     from parts import plate_with_hole
     if engine.load().statics_missing():
         raise unittest.SkipTest("needs an engine with PETSc")
@@ -506,7 +522,7 @@ def drive():
     document = FreeCAD.newDocument("Live")
     document.UndoMode = 1
     body = plate_with_hole(document)
-    analysis = add_analysis(document, body)
+    analysis = held_and_pushed(document, body)
     mesh = api.add_mesh(body, 2.5, order=1)
     document.recompute()
     assert mesh in analysis.Group
@@ -537,6 +553,7 @@ def drive():
     check_beside_a_pipeline(document, analysis, live)
     check_ends(document, live)
     check_undone(document, analysis, mesh)
+    check_result_deleted(document, next(obj for obj in analysis.Group if live_result.is_live_result(obj)))
     mesh = check_mesh_deleted(document, mesh)
     check_load_in_its_panel(document, mesh)
     check_another_of_its_name(document, analysis)

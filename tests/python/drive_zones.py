@@ -9,6 +9,7 @@ import FreeCADGui as Gui  # noqa: E402
 import numpy as np  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
 from parts import new_document, plate_with_hole  # noqa: E402
 from window import click, click_button_of, click_in_panel, is_whole, panel, picture, pixels, spin, wait_for  # noqa: E402
 
@@ -224,6 +225,49 @@ def check_panel_is_open(document, mesh):
     click_in_panel("Cancel")
 
 
+def menu_over(point):
+    """The texts of the menu that the right button opens in the 3D view there; it is closed again."""
+    from freecad.featuremesh.commands import OF_A_MESH, made
+    seen = []
+
+    def look():
+        menu = QtGui.QApplication.activePopupWidget()
+        if menu is not None:
+            seen.extend(action.text() for action in menu.actions())
+            menu.close()
+    timer = QtCore.QTimer()
+    timer.timeout.connect(look)
+    timer.start(100)
+    window.click_in_view(point)
+    widget, place = window.place_in_view(point)
+    for kind, pressed in ((QtCore.QEvent.MouseButtonPress, QtCore.Qt.RightButton), (QtCore.QEvent.MouseButtonRelease, QtCore.Qt.NoButton)):
+        QtGui.QApplication.postEvent(widget, QtGui.QMouseEvent(kind, QtCore.QPointF(place), QtCore.QPointF(widget.mapToGlobal(place)), QtCore.Qt.RightButton,
+                                                               pressed, QtCore.Qt.NoModifier))
+        spin(0.1)
+    spin(0.5)
+    timer.stop()
+    return [name for name in OF_A_MESH if made(name).title in seen], seen
+
+
+def check_right_click(mesh):
+    """Over a mesh in the 3D view the menu has what the tree's has, since FreeCAD 1.0 in FEM, too."""
+    from freecad.featuremesh import versions
+    from freecad.featuremesh.commands import OF_A_MESH
+    box = mesh.FemMesh.BoundBox
+    for workbench in ("FemWorkbench", "FeatureMeshWorkbench"):
+        Gui.activateWorkbench(workbench)
+        spin()
+        if workbench == "FeatureMeshWorkbench":
+            window.open_dialog().close()
+        Gui.Selection.clearSelection()
+        settle_view()
+        found, seen = menu_over(FreeCAD.Vector(box.XMax - 5, box.YMin + 5, box.ZMax))
+        wanted = [] if workbench == "FemWorkbench" and not versions.asks_manipulators() else list(OF_A_MESH)
+        assert Gui.Selection.getSelection() == [mesh] and sorted(found) == sorted(wanted), (workbench, Gui.Selection.getSelection(), seen)
+        found, seen = menu_over(FreeCAD.Vector(box.XMax + 15, box.YMax + 15, box.ZMax))
+        assert seen and not found, (workbench, seen)
+
+
 def drive():
     from freecad.featuremesh import api
     document = new_document("Zones")
@@ -244,6 +288,7 @@ def drive():
     check_expression(mesh)
     check_panel_is_open(document, mesh)
     check_dragged(document, body, mesh)
+    check_right_click(mesh)
     assert FreeCAD.ActiveDocument is document
 
 

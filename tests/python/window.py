@@ -102,6 +102,21 @@ def send_mouse(widget, place, *kinds):
     spin()
 
 
+def press_at(widget, place):
+    """The left button at a place of the widget, where the mouse goes first."""
+    send_mouse(widget, place, QtCore.QEvent.MouseMove, QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease)
+
+
+def tick(shown, target):
+    """The box of a dimension in the panel of a study."""
+    item = shown.dimensions.item_of(target)
+    shown.dimensions.scrollToItem(item)
+    spin()
+    box = shown.dimensions.visualItemRect(item)
+    press_at(shown.dimensions.viewport(), QtCore.QPoint(box.left() + 10, box.center().y()))
+    return item
+
+
 def turn_wheel(widget):
     """One step of the mouse's wheel, up, over the middle of a widget."""
     place = widget.rect().center()

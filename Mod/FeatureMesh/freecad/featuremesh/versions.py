@@ -87,6 +87,11 @@ def follows_faces():
     return version() >= (1, 0)
 
 
+def tells_without_running():
+    """Can a line be told to the console and the macro without being run? Since 1.1."""
+    return version() >= (1, 1)
+
+
 def asks_manipulators():
     """Does FreeCAD ask manipulators of workbenches when it builds toolbars and menus? Since 1.0."""
     return version() >= (1, 0)

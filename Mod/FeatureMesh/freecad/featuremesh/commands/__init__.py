@@ -3,8 +3,6 @@
 
 import importlib
 
-import FreeCADGui as Gui
-
 # Name of the command -> module of this package that holds it as `Command`; in the order of the toolbar.
 COMMANDS = {
     "FeatureMesh_MeshPart": "mesh_part",
@@ -33,9 +31,3 @@ OF_A_MESH = ("FeatureMesh_UpdateNow", "FeatureMesh_AddLocalSize", "FeatureMesh_A
 def made(name):
     """A new object of the command of that name."""
     return importlib.import_module("." + COMMANDS[name], __name__).Command()
-
-
-def register():
-    """Makes the commands known to FreeCAD."""
-    for name in COMMANDS:
-        Gui.addCommand(name, made(name))

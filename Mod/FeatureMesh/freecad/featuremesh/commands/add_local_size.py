@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 from .. import api
+from ..gui import recording
 from .base import MeshCommand, add_and_open, chosen, selected_mesh
 
 
@@ -11,4 +12,4 @@ class Command(MeshCommand):
 
     def run(self, document):
         mesh = selected_mesh(document)
-        add_and_open(document, self.title, lambda: api.add_local_size(mesh, chosen(document, mesh)))
+        add_and_open(document, self.title, lambda: recording.make(api.add_local_size, mesh, chosen(document, mesh)))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 from .. import api, size_zone
+from ..gui import recording
 from .base import MeshCommand, add_and_open, chosen, selected_mesh
 
 
@@ -12,4 +13,4 @@ class Command(MeshCommand):
     def run(self, document):
         mesh = selected_mesh(document)
         references = [(obj, name) for obj, name in chosen(document, mesh) or () if name]
-        add_and_open(document, self.title, lambda: api.add_size_zone(mesh, size_zone.DISTANCE if references else size_zone.BOX, references))
+        add_and_open(document, self.title, lambda: recording.make(api.add_size_zone, mesh, size_zone.DISTANCE if references else size_zone.BOX, references))

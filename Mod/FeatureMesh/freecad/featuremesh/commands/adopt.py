@@ -4,6 +4,7 @@ import FreeCADGui as Gui
 
 from .. import adopt, api, reading, versions
 from ..errors import UserError
+from ..gui import recording
 from ..messages import said
 from ..mesh_object import is_feature_mesh
 from .base import MeshCommand, answer
@@ -35,7 +36,7 @@ class Command(MeshCommand):
                       {"take": translate("FeatureMesh", "Take its place")})
 
     def adopt(self, foreign, part, existing=None):
-        mesh, _ = api.adopt_mesh(foreign, part, in_place_of=existing)
+        mesh, _ = recording.run(api.adopt_mesh, foreign, part, in_place_of=existing)
         for obj in filter(None, (foreign, existing, versions.part_of(mesh))):
             obj.ViewObject.Visibility = False   # two things in one place flicker
         mesh.ViewObject.Visibility = True

@@ -54,7 +54,7 @@ class MeshCommand:
     def failed(self, document, error):
         """Shows what went wrong, after the document was put back as it was."""
         from ..gui import errors
-        meshes = _selected_meshes(document) or api.meshes_of(document)
+        meshes = selected_meshes(document) or api.meshes_of(document)
         errors.show(error, versions.part_of(meshes[0]) if len(meshes) == 1 else None)
 
 
@@ -72,11 +72,11 @@ def answer(title, text, more, choices, is_risky=False):
 
 def selected_mesh(document):
     """The selected mesh object, else that of a selected part, or the only one of the document. Throws UserError."""
-    meshes = _selected_meshes(document)
+    meshes = selected_meshes(document)
     return meshes[0] if meshes else api.find_mesh(document)
 
 
-def _selected_meshes(document):
+def selected_meshes(document):
     """The selected mesh objects; where there are none the mesh of what else is selected, such as a face, if that has just one."""
     selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _has_no_part(obj)]
     chosen = [obj for obj in selected if is_feature_mesh(obj)]

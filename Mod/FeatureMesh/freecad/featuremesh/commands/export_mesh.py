@@ -7,6 +7,7 @@ from PySide import QtCore
 
 from .. import api
 from ..export import FORMATS
+from ..gui import recording
 from .base import MeshCommand, selected_mesh
 
 translate = FreeCAD.Qt.translate
@@ -27,7 +28,7 @@ class Command(MeshCommand):
         proposed = os.path.join(os.path.dirname(document.FileName), mesh.Label.replace("/", "-") + ".vtu")
         path = ask_for_file(Gui.getMainWindow(), self.title, proposed, _FILTERS, FORMATS)
         if path is not None:
-            api.export_mesh(mesh, path)
+            recording.run(api.export_mesh, mesh, path)
             tell(translate("FeatureMesh", "%s was written to %s (%s)") % (mesh.Label, path, _size_of(path)))
 
 

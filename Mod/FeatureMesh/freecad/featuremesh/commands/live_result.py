@@ -5,6 +5,7 @@ import FemGui
 import FreeCADGui as Gui
 
 from .. import api, live_result, statics
+from ..gui import recording
 from ..gui.undo import undo_step
 from .base import MeshCommand
 
@@ -21,10 +22,13 @@ class Command(MeshCommand):
     def run(self, document):
         from ..gui.live_panel import LivePanel
         analysis = _chosen_analysis(document) or api.find_analysis(document)
-        with undo_step(document, self.title) if live_result.of_analysis(analysis) is None else contextlib.nullcontext():
+        is_new = live_result.of_analysis(analysis) is None
+        with undo_step(document, self.title) if is_new else contextlib.nullcontext():
             live = api.live_result(analysis)
             statics.mesh_of(live.Proxy.analysis(live))   # throws where there is none
             Gui.Control.showDialog(LivePanel(live))
+        if is_new:
+            recording.tell(api.live_result, analysis)
 
 
 def _chosen_analysis(document):

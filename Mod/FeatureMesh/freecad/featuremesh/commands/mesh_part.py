@@ -5,6 +5,7 @@ import FreeCADGui as Gui
 
 from .. import analyses, api, preferences
 from ..errors import UserError
+from ..gui import recording
 from ..messages import said
 from .base import MeshCommand, answer, is_mesh_of, only_shown_part, selected_container, selected_part
 
@@ -45,7 +46,7 @@ class Command(MeshCommand):
         """Adds a mesh; the panel's OK and Apply end the transaction, Cancel takes it back."""
         document.openTransaction(self.title)
         try:
-            mesh = api.add_mesh(part, active_analysis=FemGui.getActiveAnalysis(), in_place_of=in_place_of, **preferences.for_new_mesh())
+            mesh = recording.make(api.add_mesh, part, active_analysis=FemGui.getActiveAnalysis(), in_place_of=in_place_of, **preferences.for_new_mesh())
             if in_place_of is not None:
                 in_place_of.ViewObject.Visibility = False
             _open(mesh)

@@ -2,6 +2,8 @@
 import FreeCADGui as Gui
 
 from .. import api, reading
+from ..gui import recording
+from ..gui.undo import undo_step
 from ..study import study_object
 from .base import MeshCommand, selected_part
 
@@ -10,6 +12,7 @@ class Command(MeshCommand):
     name = "FeatureMesh_Study"
     text = "Parameter study"
     tooltip = "Varies dimensions of the part, meshes and solves each variant, and shows what matters"
+    edits = False   # only where it adds one
 
     def is_possible(self, document):
         return bool(reading.final_parts(document))
@@ -17,7 +20,16 @@ class Command(MeshCommand):
     def run(self, document):
         from ..gui.study_panel import StudyPanel
         known = _chosen_study(document)
-        Gui.Control.showDialog(StudyPanel(known or api.add_study(selected_part(document)), is_new=known is None))
+        if known is not None:
+            recording.watch(known)
+            Gui.Control.showDialog(StudyPanel(known))
+            return
+        part = selected_part(document)
+        with undo_step(document, self.title):
+            study = api.add_study(part)
+            panel = StudyPanel(study, is_new=True)
+        recording.made(study, api.add_study, part)
+        Gui.Control.showDialog(panel)
 
 
 def _chosen_study(document):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 from .. import api
+from ..gui import recording
 from .base import MeshCommand, selected_mesh
 
 
@@ -11,7 +12,7 @@ class Command(MeshCommand):
     def run(self, document):
         self._mesh = None
         self._mesh = selected_mesh(document)
-        api.update_mesh(self._mesh)
+        recording.run(api.update_mesh, self._mesh)
 
     def failed(self, document, error):
         if self._mesh is not None:

@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 from ..errors import UserError
 from ..messages import said
 from ..proxies import View
-from . import errors
+from . import errors, recording
 
 
 class EditedInPanel(View):
@@ -18,6 +18,7 @@ class EditedInPanel(View):
     def setEdit(self, view, mode=0):
         if Gui.Control.activeDialog():
             return False
+        recording.watch(view.Object)
         Gui.Control.showDialog(self.panel_of(view.Object))
         return True
 

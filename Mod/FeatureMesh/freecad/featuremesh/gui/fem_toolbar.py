@@ -6,8 +6,11 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import versions
+from ..commands import OF_A_MESH
+from ..commands.base import selected_meshes
 
 _PLACE = "FEM_MeshGmshFromShape"   # an entry of FEM's Mesh menu in every version
+_IN_EVERY_VIEW = "Std_ViewFitAll"   # an entry of the menu that the right button opens there
 _REFRESH = 100   # milliseconds
 
 
@@ -18,6 +21,11 @@ def install(commands):
     else:
         actions = _Actions(commands)
         Gui.getMainWindow().workbenchActivated.connect(actions.follow)
+
+
+def is_mesh_selected():
+    """Is a mesh of ours selected, or a part that has one?"""
+    return FreeCAD.ActiveDocument is not None and bool(selected_meshes(FreeCAD.ActiveDocument))
 
 
 class _Manipulator:
@@ -31,6 +39,12 @@ class _Manipulator:
 
     def modifyMenuBar(self):
         return [{"insert": name, "menuItem": _PLACE, "after": ""} for name in reversed(self._commands)]
+
+    def modifyContextMenu(self, recipient):
+        """In FEM; our own workbench has these already."""
+        if recipient != "View" or Gui.activeWorkbench().name() != "FemWorkbench" or not is_mesh_selected():
+            return []
+        return [{"insert": name, "menuItem": _IN_EVERY_VIEW} for name in OF_A_MESH]
 
 
 class _Actions(QtCore.QObject):

@@ -13,7 +13,7 @@ from ..errors import UserError
 from ..mesh_properties import status_in_words
 from ..messages import said
 from ..user_words import figure, in_words
-from . import live_runner, narrow, wheel
+from . import live_runner, narrow, recording, wheel
 from .closes_with_object import ClosesWithObject
 from .cut_box import CutBox
 from .undo import undo_step
@@ -179,7 +179,7 @@ class LivePanel(ClosesWithObject):
             live_runner.cancel(self.live)
         else:
             try:
-                api.solve_live(self.live)
+                recording.run(api.solve_live, self.live)
             except (UserError, RuntimeError) as error:
                 self.status.setText(user_words.in_words(messages.of_error(error)))
         self._show_run()
@@ -187,8 +187,12 @@ class LivePanel(ClosesWithObject):
     def _take_ten_nodes(self):
         """What the remark on 4-node tets offers."""
         with undo_step(self._document, self.ten_nodes.text()):
-            self.live.Proxy.mesh(self.live).Order = "2nd"
+            mesh = self.live.Proxy.mesh(self.live)
+            recording.watch(mesh)
+            mesh.Order = "2nd"
             self._document.recompute()
+        recording.forget(mesh)
+        recording.recomputed(self._document)
         self.refresh()
 
     def _follow(self, live, name):

@@ -6,7 +6,7 @@ import FreeCADGui as Gui
 
 from .. import history, references, solve_guard
 from ..mesh_object import is_feature_mesh
-from . import errors, showing
+from . import errors, recording, showing
 
 
 def install():
@@ -38,5 +38,9 @@ class _Observer:
             history.settle(obj)
             if obj.Document.HasPendingTransaction and any(is_feature_mesh(user) for user in obj.InList):
                 obj.Document.commitTransaction()   # that of our command; FreeCAD 0.20 leaves it open
+                if recording.is_told(obj):
+                    recording.recomputed(obj.Document)
             showing.restore(self._before)
             self._before = []
+        if obj is not None:
+            recording.forget(obj)

@@ -4,9 +4,10 @@
 import FreeCADGui as Gui
 
 from .. import assembled, assembled_view, live_result, live_view, mesh_object, orphans, size_zone, study_view, view_provider, waiting, zone_view
-from ..commands import COMMANDS, IN_FEM, register
+from ..commands import COMMANDS, IN_FEM, OF_A_MESH
+from ..commands.freecad import register
 from ..study import study_object
-from . import clicks, fem_toolbar, live_runner, open_panels, preferences_page, running, showing, study_runs
+from . import clicks, fem_toolbar, live_runner, open_panels, preferences_page, recording, running, showing, study_runs
 
 
 class FeatureMeshWorkbench(Gui.Workbench):
@@ -23,6 +24,11 @@ class FeatureMeshWorkbench(Gui.Workbench):
     def Activated(self):
         from . import welcome
         welcome.show_once()
+
+    def ContextMenu(self, recipient):
+        """What the right button opens in the 3D view over a mesh, or a part that has one; in the tree the mesh itself adds these."""
+        if recipient == "View" and fem_toolbar.is_mesh_selected():
+            self.appendContextMenu("", list(OF_A_MESH))
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"
@@ -50,3 +56,4 @@ def start():
     open_panels.install()
     clicks.install()
     showing.install()
+    recording.install()

@@ -9,7 +9,7 @@ from .. import user_words, view_provider, versions
 from ..errors import UserError
 from ..messages import of_error, said
 from ..study import design, response_words, study_object, window_run
-from . import errors, narrow, study_runs, wheel
+from . import errors, narrow, recording, study_runs, wheel
 from .closes_with_object import ClosesWithObject
 from .dimension_list import DimensionList
 from .undo import undo_step
@@ -24,19 +24,6 @@ _SAMPLINGS = {
     "one_at_a_time": QT_TRANSLATE_NOOP("FeatureMesh", "one at a time"),
     "box_behnken": QT_TRANSLATE_NOOP("FeatureMesh", "curved, no corners (Box-Behnken)"),
     "central_composite": QT_TRANSLATE_NOOP("FeatureMesh", "curved (central composite)"),
-}
-_RESPONSES = {
-    "mass": QT_TRANSLATE_NOOP("FeatureMesh", "mass"),
-    "volume": QT_TRANSLATE_NOOP("FeatureMesh", "volume"),
-    "area": QT_TRANSLATE_NOOP("FeatureMesh", "area"),
-    "max_mises": QT_TRANSLATE_NOOP("FeatureMesh", "largest von Mises stress"),
-    "max_principal": QT_TRANSLATE_NOOP("FeatureMesh", "largest principal stress"),
-    "max_displacement": QT_TRANSLATE_NOOP("FeatureMesh", "largest displacement"),
-    "strain_energy": QT_TRANSLATE_NOOP("FeatureMesh", "strain energy"),
-    "reaction": QT_TRANSLATE_NOOP("FeatureMesh", "force on all supports"),
-    "frequency_1": QT_TRANSLATE_NOOP("FeatureMesh", "first frequency"),
-    "buckling_factor_1": QT_TRANSLATE_NOOP("FeatureMesh", "first buckling factor"),
-    "max_temperature": QT_TRANSLATE_NOOP("FeatureMesh", "largest temperature"),
 }
 _STATICS = ("max_mises", "max_principal", "max_displacement", "strain_energy", "reaction")
 _GIVEN_BY = {None: (), "static": ("mass", *_STATICS), "thermomech": ("mass", "max_temperature", *_STATICS),
@@ -56,6 +43,7 @@ class StudyPanel(ClosesWithObject):
         narrow.title(self.form, study.Label)
         self.form.setWindowIcon(view_provider.drawn_icon("FeatureMesh_Study"))
         self._kind = study_object.kind_of(study.Analysis)
+        self._running_since = {}   # of window_run.how_far
         self._wrong = ""   # what of the settings makes no sense
         self.dimensions = DimensionList(study_object.dimensions_of(study), study.Parameters, self._take)
         self.responses = QtGui.QListWidget()
@@ -82,7 +70,7 @@ class StudyPanel(ClosesWithObject):
         """Brings the status up to date with what runs."""
         run = study_runs.run_of(self.study)
         running = run is not None and run.is_running()
-        done, total, left = window_run.how_far(self.study.Folder, run.jobs if run else 1) if self.study.Folder else (0, 0, None)
+        done, total, left = window_run.how_far(self.study.Folder, run.jobs if run else 1, self._running_since) if self.study.Folder else (0, 0, None)
         self.run_button.setText(translate("FeatureMesh", "Stop") if running else translate("FeatureMesh", "Run"))
         can_add = bool(total) and done == total and self.study.Sampling in design.COUNTED and study_object.is_as_run(self.study)
         self.go_on_button.setVisible(not running and (done < total or can_add))
@@ -106,7 +94,11 @@ class StudyPanel(ClosesWithObject):
         Gui.getDocument(self._document).resetEdit()
         Gui.Control.closeDialog()
         if self._new_settings is not None and study_object.settings_of(self.study) == self._new_settings:
+            recording.forget(self.study)
             self._take_back()
+        else:
+            recording.write(self.study)
+            recording.forget(self.study)
         return True
 
     def _take_back(self):
@@ -137,10 +129,10 @@ class StudyPanel(ClosesWithObject):
             self._add_response(text, text in self.study.Responses)
 
     def _add_response(self, text, ticked):
-        words = translate("FeatureMesh", _RESPONSES[text]) if text in _RESPONSES else text
-        kind, at, place = text.partition("@")
-        if at and kind in _RESPONSES:
-            words = translate("FeatureMesh", "%s at %s") % (translate("FeatureMesh", _RESPONSES[kind]), place)
+        try:
+            words = user_words.in_words(response_words.parse_response(text).words)
+        except UserError:   # told when it runs
+            words = text
         item = QtGui.QListWidgetItem(words)
         item.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsUserCheckable)
         item.setData(QtCore.Qt.UserRole, text)
@@ -151,7 +143,7 @@ class StudyPanel(ClosesWithObject):
         study = self.study
         self.at, self.at_button = QtGui.QComboBox(), QtGui.QPushButton(translate("FeatureMesh", "Add at the selection"))
         for kind in _AT_A_PLACE:
-            self.at.addItem(translate("FeatureMesh", _RESPONSES[kind]), kind)
+            self.at.addItem(user_words.in_words(response_words.WORDS[kind]), kind)
         self.at_button.setEnabled(False)
         self.at_button.clicked.connect(self._add_at_selection)
         self.sampling, self.cases, self.solver, self.jobs = QtGui.QComboBox(), QtGui.QSpinBox(), QtGui.QComboBox(), QtGui.QSpinBox()
@@ -250,17 +242,19 @@ class StudyPanel(ClosesWithObject):
         if run is not None and run.is_running():
             run.stop()
             return
-        self._start(lambda: study_object.start(self.study))
+        self._start(study_object.start)
 
     def _go_on(self):
         """Runs what waits, or as many cases more as the box says."""
         done, total, _ = window_run.how_far(self.study.Folder)
-        self._start(lambda: study_object.go_on(self.study, self.cases.value() if done == total else 0))
+        self._start(study_object.go_on, self.cases.value() if done == total else 0)
 
-    def _start(self, begin):
+    def _start(self, begin, *words):
         try:
             self.study.Parameters = self.dimensions.parameters()
-            study_runs.keep(self.study, begin())
+            begin(self.study, *words)
+            recording.write(self.study)
+            recording.tell(begin, self.study, *words)
         except (UserError, OSError) as error:
             errors.show(error, self.study.Part)
         self.refresh()
@@ -275,6 +269,10 @@ class StudyPanel(ClosesWithObject):
 def _time_left(seconds):
     if seconds is None:
         return ""
+    if seconds < 0.5:   # what runs takes longer than others took
+        return translate("FeatureMesh", ", nearly done")
     if seconds < 90:
         return translate("FeatureMesh", ", about %d s left") % round(seconds)
-    return translate("FeatureMesh", ", about %d min left") % round(seconds / 60)
+    if seconds < 5400:
+        return translate("FeatureMesh", ", about %d min left") % round(seconds / 60)
+    return user_words.as_shown(translate("FeatureMesh", ", about %.1f h left") % (seconds / 3600))

@@ -15,7 +15,7 @@ from ..refusals import part_to_mesh
 from ..reports import remarks_of
 from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, FAILED, NOT_MESHED, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
 from ..messages import of_error, said
-from . import driven, enough_memory, freecad_widget, narrow, wheel
+from . import driven, enough_memory, freecad_widget, narrow, recording, wheel
 from .errors import select_named
 from ..user_words import as_shown, in_words
 from .running import RunningJob, step_in_words
@@ -415,6 +415,7 @@ class MeshPanel:
         if self.is_new:
             document.commitTransaction()
         self.is_new = False
+        recording.tell(api.update_mesh, self.mesh, *[True] * self._is_full)
         self.mesh.purgeTouched()
         show_mesh(self.mesh)
         self._show_result()

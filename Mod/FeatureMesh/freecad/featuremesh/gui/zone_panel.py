@@ -9,7 +9,7 @@ from .. import api, size_zone, versions
 from ..messages import said
 from ..user_words import in_words
 from ..view_provider import drawn_icon
-from . import driven, errors, freecad_widget, narrow, showing, wheel
+from . import driven, errors, freecad_widget, narrow, recording, showing, wheel
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -89,6 +89,7 @@ class ZonePanel:
         """OK: the mesh follows, as with FEM's own refinements."""
         self.document.recompute()
         self.document.commitTransaction()
+        recording.recomputed(self.document)
         self._close()
         return True
 

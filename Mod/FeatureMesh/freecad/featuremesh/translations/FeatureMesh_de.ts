@@ -343,8 +343,16 @@
       <translation>%s wurde nach %s geschrieben (%s)</translation>
     </message>
     <message>
+      <source>, about %.1f h left</source>
+      <translation>, noch etwa %.1f h</translation>
+    </message>
+    <message>
       <source>, did you mean {name:text}?</source>
       <translation>, war {name:text} gemeint?</translation>
+    </message>
+    <message>
+      <source>, nearly done</source>
+      <translation>, fast fertig</translation>
     </message>
     <message>
       <source>, not of {foreign:text}</source>
@@ -423,8 +431,8 @@
       <translation>CalculiX wurde von außen beendet ({signal:text})</translation>
     </message>
     <message>
-      <source>Compromises between {one:text} and {other:text}</source>
-      <translation>Kompromisse zwischen {one:text} und {other:text}</translation>
+      <source>Compromises between {one:messages} and {other:messages}</source>
+      <translation>Kompromisse zwischen {one:messages} und {other:messages}</translation>
     </message>
     <message>
       <source>Details of the part far smaller than the elements force an angle below 2 degrees on {elements:count} {elements:element|elements}: {details:messages}. Results there are poor. Take them out of the features that make them (points of a sketch that nearly coincide, a step as shallow), or mesh finer there.</source>
@@ -573,6 +581,10 @@
     <message>
       <source>The number of elements across walls is {asked:number}; it must not be negative (0 turns it off).</source>
       <translation>Die Zahl der Elemente in Wänden ist {asked:number}; sie darf nicht negativ sein (0 schaltet ab).</translation>
+    </message>
+    <message>
+      <source>The smallest angle that the part does not force is {angle:number} degrees, at {place:entities}: stresses are poor there. Mesh finer there, by a local size or a refinement zone, or take details out that are much smaller than the edge length.</source>
+      <translation>Der kleinste Winkel, den das Bauteil nicht erzwingt, ist {angle:number} Grad, bei {place:entities}: Spannungen dort sind ungenau. Dort mit einer lokalen Größe oder einer Verfeinerungszone feiner vernetzen oder Einzelheiten weglassen, die viel kleiner als die Kantenlänge sind.</translation>
     </message>
     <message>
       <source>There are too few cases for response surfaces of {parameters:count} {parameters:parameter|parameters}; add some.</source>
@@ -747,6 +759,10 @@
       <translation>boolesch</translation>
     </message>
     <message>
+      <source>buckling factor {mode:count}</source>
+      <translation>Knickfaktor {mode:count}</translation>
+    </message>
+    <message>
       <source>built from source</source>
       <translation>aus dem Quelltext gebaut</translation>
     </message>
@@ -807,6 +823,18 @@
       <translation>Kopien</translation>
     </message>
     <message>
+      <source>displacement in x</source>
+      <translation>Verschiebung in x</translation>
+    </message>
+    <message>
+      <source>displacement in y</source>
+      <translation>Verschiebung in y</translation>
+    </message>
+    <message>
+      <source>displacement in z</source>
+      <translation>Verschiebung in z</translation>
+    </message>
+    <message>
       <source>dress-up</source>
       <translation>Fase, Rundung und Ähnliches</translation>
     </message>
@@ -821,6 +849,38 @@
     <message>
       <source>first-order index</source>
       <translation>Index erster Ordnung</translation>
+    </message>
+    <message>
+      <source>force</source>
+      <translation>Kraft</translation>
+    </message>
+    <message>
+      <source>force in x</source>
+      <translation>Kraft in x</translation>
+    </message>
+    <message>
+      <source>force in y</source>
+      <translation>Kraft in y</translation>
+    </message>
+    <message>
+      <source>force in z</source>
+      <translation>Kraft in z</translation>
+    </message>
+    <message>
+      <source>force on all supports in x</source>
+      <translation>Kraft auf alle Lager in x</translation>
+    </message>
+    <message>
+      <source>force on all supports in y</source>
+      <translation>Kraft auf alle Lager in y</translation>
+    </message>
+    <message>
+      <source>force on all supports in z</source>
+      <translation>Kraft auf alle Lager in z</translation>
+    </message>
+    <message>
+      <source>frequency {mode:count}</source>
+      <translation>Eigenfrequenz {mode:count}</translation>
     </message>
     <message>
       <source>from</source>
@@ -1089,6 +1149,18 @@
       <translation>kleinster Winkel %.1f°, den die Winkel des Teils selbst überall erzwingen; mittleres Radienverhältnis %.3f</translation>
     </message>
     <message>
+      <source>smallest principal stress</source>
+      <translation>kleinste Hauptspannung</translation>
+    </message>
+    <message>
+      <source>smallest temperature</source>
+      <translation>kleinste Temperatur</translation>
+    </message>
+    <message>
+      <source>solved as {solver:text} asks, not {others:text}</source>
+      <translation>gelöst, wie {solver:text} es verlangt, nicht {others:text}</translation>
+    </message>
+    <message>
       <source>solved by CalculiX</source>
       <translation>mit CalculiX gelöst</translation>
     </message>
@@ -1135,6 +1207,10 @@
     <message>
       <source>the analysis {analysis:text} has another mesh than {mesh:text}</source>
       <translation>die Analyse {analysis:text} hat ein anderes Netz als {mesh:text}</translation>
+    </message>
+    <message>
+      <source>the analysis {analysis:text} has several CalculiX solvers that may be meant, leave one of them in it: {solvers:text}</source>
+      <translation>die Analyse {analysis:text} hat mehrere CalculiX-Löser, die gemeint sein können, einen davon in ihr lassen: {solvers:text}</translation>
     </message>
     <message>
       <source>the constraint</source>
@@ -1461,6 +1537,10 @@
       <translation>{count:count} von {all:count} {all:Stück|Stücken}</translation>
     </message>
     <message>
+      <source>{count:count} {count:element has an angle|elements have angles} below 10 degrees, the smallest is {angle:number} degrees, at {place:entities}: stresses are poor there. Mesh finer there, by a local size or a refinement zone, or take details out that are much smaller than the edge length.</source>
+      <translation>{count:count} {count:Element hat einen Winkel|Elemente haben Winkel} unter 10 Grad, der kleinste ist {angle:number} Grad, bei {place:entities}: Spannungen dort sind ungenau. Dort mit einer lokalen Größe oder einer Verfeinerungszone feiner vernetzen oder Einzelheiten weglassen, die viel kleiner als die Kantenlänge sind.</translation>
+    </message>
+    <message>
       <source>{count:count} {count:hole|holes}</source>
       <translation>{count:count} {count:Bohrung|Bohrungen}</translation>
     </message>
@@ -1487,6 +1567,10 @@
     <message>
       <source>Many edges of the part ({edges:count}) lie within a plane, as in a solid that was made of a mesh (STL). Each is an edge of elements, too, which makes many of them small and thin. Part &gt; Create a copy &gt; Refine shape makes a copy without such edges: mesh that.</source>
       <translation>Viele Kanten des Bauteils ({edges:count}) liegen innerhalb einer Ebene, wie in einem Festkörper, der aus einem Netz (STL) gemacht wurde. Jede ist auch eine Kante von Elementen, wodurch viele davon klein und dünn werden. Part &gt; Kopie erstellen &gt; Form aufbereiten macht eine Kopie ohne solche Kanten: diese vernetzen.</translation>
+    </message>
+    <message>
+      <source>{edge:entities} has no curve, so nothing says where its faces end. Rebuild the feature there, or bring the part in again from where it was made.</source>
+      <translation>{edge:entities} hat keine Kurve; so sagt nichts, wo die Flächen dort enden. Das Formelement dort neu aufbauen oder das Teil von dort, wo es entstand, noch einmal einlesen.</translation>
     </message>
     <message>
       <source>{elements:count} 10-node {elements:tetrahedron|tetrahedra} would be folded near {place:entities}: the face bends too much within one element. Ask for a smaller size there, or for 4-node tetrahedra.</source>
@@ -1643,10 +1727,6 @@
     <message>
       <source>{one:text} and {other:text} overlap; parts that are joined may only touch</source>
       <translation>{one:text} und {other:text} überlappen sich; Bauteile, die verbunden werden, dürfen sich nur berühren</translation>
-    </message>
-    <message>
-      <source>%s at %s</source>
-      <translation>%s an %s</translation>
     </message>
     <message>
       <source>{mesh:text} cannot be renumbered: {why:messages}</source>
@@ -1809,8 +1889,8 @@
       <translation>{property:text} muss 0 mm oder mehr sein, nicht {value:number}</translation>
     </message>
     <message>
-      <source>{response:text}: least {least:text} in case {case:count}, largest {largest:text} in case {other:count}</source>
-      <translation>{response:text}: kleinster Wert {least:text} in Fall {case:count}, größter Wert {largest:text} in Fall {other:count}</translation>
+      <source>{response:messages}: least {least:text} in case {case:count}, largest {largest:text} in case {other:count}</source>
+      <translation>{response:messages}: kleinster Wert {least:text} in Fall {case:count}, größter Wert {largest:text} in Fall {other:count}</translation>
     </message>
     <message>
       <source>{result:text} has no mesh</source>
@@ -3549,10 +3629,6 @@
       <translation>die Analyse hat keinen Werkstoff: einen hinzufügen</translation>
     </message>
     <message>
-      <source>the analysis {analysis:text} has several solvers: leave one CalculiX solver in it</source>
-      <translation>die Analyse {analysis:text} hat mehrere Löser: nur einen CalculiX-Löser darin lassen</translation>
-    </message>
-    <message>
       <source>the dimension is one of {dimensions:text}, not {dimension:text}</source>
       <translation>die Dimension ist eine von {dimensions:text}, nicht {dimension:text}</translation>
     </message>
@@ -4131,6 +4207,14 @@
     <message>
       <source>{weight:text} needs the density of every material; give each of them one</source>
       <translation>{weight:text} braucht die Dichte jedes Werkstoffs; jedem eine geben</translation>
+    </message>
+    <message>
+      <source>{what:messages} (percentile {percent:number})</source>
+      <translation>{what:messages} (Perzentil {percent:number})</translation>
+    </message>
+    <message>
+      <source>{what:messages} at {place:text}</source>
+      <translation>{what:messages} an {place:text}</translation>
     </message>
     <message>
       <source>{what:messages} {text:text} cannot be evaluated: {why:messages}; it may use {names:text}</source>
