@@ -52,8 +52,9 @@ class LinearSolver {
     };
     virtual Matrices give_matrices() = 0;
 
-    /// Moves these nodes, and no others, until the forces at them are all but balanced. `forces` are what the
-    /// displacements have to balance, zero on held components, which stay where they are.
+    /// Moves these nodes until the forces at them are all but balanced, then, where there is a coarse level, all nodes
+    /// by what that makes of the forces beside them. `forces` are what the displacements have to balance, zero on held
+    /// components, which stay where they are.
     virtual void balance_within(std::span<const std::int32_t> nodes, std::span<const double> forces,
                                 std::span<double> displacements) = 0;
 

@@ -36,14 +36,14 @@ class Carried {
         check(VecGetArrayRead(in, &r));
         check(VecGetArrayWrite(out, &y));
         std::vector<double> at_new(new_.size()), push(3 * origin_.size(), 0.0);
-        for (std::size_t i = 0; i < at_new.size(); ++i) at_new[i] = r[new_.at(i)];
+        for (std::size_t i = 0; i < at_new.size(); ++i) at_new[i] = r[component(new_.nodes, i)];
         solve_new(at_new);
         couple([&](std::size_t row, std::size_t column, double value) { push[column] += value * at_new[row]; });
         apply_earlier(earlier, r, push, y);
         std::vector<double> pull(at_new.size(), 0.0);
         couple([&](std::size_t row, std::size_t column, double value) { pull[row] += value * y[column]; });
         solve_new(pull);
-        for (std::size_t i = 0; i < at_new.size(); ++i) y[new_.at(i)] = at_new[i] - pull[i];
+        for (std::size_t i = 0; i < at_new.size(); ++i) y[component(new_.nodes, i)] = at_new[i] - pull[i];
         check(VecRestoreArrayRead(in, &r));
         check(VecRestoreArrayWrite(out, &y));
     }

@@ -126,9 +126,7 @@ class QuadraticLevel {
         check(KSPSolve(smoother_, in, out));
         check(MatMult(system_.rounded, out, left_));
         check(VecAYPX(left_, -1, in));
-        check(MatMultTranspose(interpolation_.matrix, left_, forces_));
-        check(VecSet(moved_, 0));
-        check(KSPSolve(coarse_, forces_, moved_));
+        solve_coarse(left_);
         PetscScalar before = 0, after = 0, coarse = 0;
         check(VecDot(out, in, &before));
         check(VecDot(out, left_, &after));
@@ -139,11 +137,23 @@ class QuadraticLevel {
 
     void end(Vec in, Vec out) { check(KSPSolve(smoother_, in, out)); }
 
+    /// By the coarse level alone.
+    void correct(Vec in, Vec out) {
+        solve_coarse(in);
+        check(MatMult(interpolation_.matrix, moved_, out));
+    }
+
     const System& system() const { return system_; }
 
     void use_threads(int threads) { system_.threads.threads = threads; }
 
   private:
+    void solve_coarse(Vec in) {
+        check(MatMultTranspose(interpolation_.matrix, in, forces_));
+        check(VecSet(moved_, 0));
+        check(KSPSolve(coarse_, forces_, moved_));
+    }
+
     /// A few iterations there cost little beside one of quadratic displacements, and save nearly half of those.
     void solve_coarse_by(Aggregation& below) {
         constexpr double least_share = 0.01;  // a factor comes to it at once

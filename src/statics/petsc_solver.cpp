@@ -11,6 +11,7 @@
 #include "core/errors.h"
 #include "core/messages.h"
 #include "statics/linear_solver.h"
+#include "statics/new_nodes.h"
 #include "statics/petsc_aggregation.h"
 #include "statics/petsc_nodes_block.h"
 #include "statics/petsc_objects.h"
@@ -155,23 +156,33 @@ class PetscSolver final : public LinearSolver {
     void balance_within(std::span<const std::int32_t> nodes, std::span<const double> forces,
                         std::span<double> displacements) override {
         if (nodes.empty()) return;
-        NodesBlock block;
-        block.take(system().blocks, {nodes.begin(), nodes.end()});
-        std::vector<double> left = block.resisting(system().blocks, displacements);
-        for (std::size_t i = 0; i < block.size(); ++i) left[i] = forces[block.at(i)] - left[i];
-        Vector b, x;
-        fill(b, left);
-        check(VecDuplicate(b, x.fresh()));
-        const PetscScalar* values = nullptr;
-        solve_roughly(block.matrix, b, x);
-        check(VecGetArrayRead(x, &values));
-        for (std::size_t i = 0; i < block.size(); ++i) displacements[block.at(i)] += values[i];
-        check(VecRestoreArrayRead(x, &values));
+        const BlockMatrix& blocks = system().blocks;
+        const NodesUpperHalf block(blocks, nodes);
+        Vector in, out;
+        fill(in, left_at(nodes, forces, displacements));
+        check(VecDuplicate(in, out.fresh()));
+        solve_roughly(block.matrix, in, out);
+        read(out, [&](const double* moved) {
+            for (std::size_t i = 0; i < 3 * nodes.size(); ++i) displacements[component(nodes, i)] += moved[i];
+        });
+        if (!is_quadratic_) return;
+
+        const std::vector<std::int32_t> around = with_neighbours({nodes.begin(), nodes.end()}, blocks);
+        const std::vector<double> left = left_at(around, forces, displacements);
+        std::vector<double> all(displacements.size(), 0.0);
+        for (std::size_t i = 0; i < left.size(); ++i) all[component(around, i)] = left[i];
+        fill(in, all);
+        check(VecDuplicate(in, out.fresh()));
+        whole([&] { quadratic_.correct(in, out); });
+        read(out, [&](const double* moved) {
+            for (std::size_t i = 0; i < all.size(); ++i) displacements[i] += moved[i];
+        });
     }
 
     double energy_norm(std::span<const double> residual) override {
         Vector r, z;
         fill(r, residual);
+        if (is_known(r)) return known_norm_;
         check(VecDuplicate(r, z.fresh()));
         PetscScalar product = 0;
         whole([&] {
@@ -184,8 +195,11 @@ class PetscSolver final : public LinearSolver {
         });
         swap(known_in_, r), swap(known_out_, z);
         is_begun_ = is_quadratic_;
-        if (!std::isfinite(double(product))) throw KernelError(say<Code::petsc_out_of_range>());
-        return std::sqrt(std::max(0.0, double(product)));
+        if (!std::isfinite(double(product))) {
+            forget_known();
+            throw KernelError(say<Code::petsc_out_of_range>());
+        }
+        return known_norm_ = std::sqrt(std::max(0.0, double(product)));
     }
 
     Solved solve(std::span<const double> residual, std::span<double> solution, const Aim& aim,
@@ -211,10 +225,9 @@ class PetscSolver final : public LinearSolver {
         KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
         check(KSPGetConvergedReason(cg, &reason));
         if (reason == KSP_DIVERGED_NANORINF) throw KernelError(say<Code::petsc_out_of_range>());
-        const PetscScalar* values = nullptr;
-        check(VecGetArrayRead(x, &values));
-        for (std::size_t i = 0; i < solution.size(); ++i) solution[i] += values[i];
-        check(VecRestoreArrayRead(x, &values));
+        read(x, [&](const double* moved) {
+            for (std::size_t i = 0; i < solution.size(); ++i) solution[i] += moved[i];
+        });
         PetscInt iterations = 0;
         check(KSPGetIterationNumber(cg, &iterations));
         return {int(iterations), reason > 0};
@@ -267,7 +280,7 @@ class PetscSolver final : public LinearSolver {
     /// As far as a start needs it, by conjugate gradients with an incomplete factor. Where that fails nothing comes
     /// out that is finite.
     static void solve_roughly(Mat matrix, Vec in, Vec out) {
-        constexpr double least_share = 3e-6;
+        constexpr double least_share = 1e-3;
         constexpr PetscInt most = 300;
         Owned<KSP, KSPDestroy> cg;
         PC factor = nullptr;
@@ -308,11 +321,28 @@ class PetscSolver final : public LinearSolver {
         check(VecRestoreArrayWrite(vector, &to));
     }
 
+    template <class Take>
+    static void read(Vec vector, const Take& take) {
+        const PetscScalar* values = nullptr;
+        check(VecGetArrayRead(vector, &values));
+        take(values);
+        check(VecRestoreArrayRead(vector, &values));
+    }
+
+    /// What the displacements leave of the forces at some nodes.
+    std::vector<double> left_at(std::span<const std::int32_t> nodes, std::span<const double> forces,
+                                std::span<const double> displacements) const {
+        std::vector<double> left = resisting(system().blocks, nodes, displacements);
+        for (std::size_t i = 0; i < left.size(); ++i) left[i] = forces[component(nodes, i)] - left[i];
+        return left;
+    }
+
     Aggregation aggregation_;
     QuadraticLevel quadratic_;  // above it, for 10-node tets
     bool is_quadratic_ = false;
     Vector known_in_, known_out_;  // what was preconditioned for its norm, and what came out
     bool is_begun_ = false;        // that is not at its end
+    double known_norm_ = 0;
 };
 
 }  // namespace

@@ -2,13 +2,12 @@
 // What a solution within a tolerance leaves out of balance as a whole: a force and a moment.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
-#include "core/geometry.h"
 #include "core/run_context.h"
 #include "statics/model.h"
+#include "statics/rigid_motions.h"
 #include "statics/stiffness.h"
 
 namespace featuremesh {
@@ -24,26 +23,20 @@ class RigidBalance {
     void correct(std::span<const double> forces, std::span<double> moved) const;
 
   private:
-    static constexpr std::size_t count = 6;
-    using Motions = std::array<double, count>;
-    using Square = std::array<Motions, count>;
+    using Six = RigidMotions::Six;
 
-    Vec3 place(std::size_t node) const;
-    Motions at(std::size_t component) const;
-    void factor(Square stiffness);
-    Motions solve(Motions forces) const;
+    Six at(std::size_t component) const;
 
     /// What a component resists with when all moves by each motion.
     struct Resisted {
         std::size_t component;
-        Motions by;
+        Six by;
     };
 
     const StaticsModel& model_;
-    Vec3 middle_;
-    double radius_ = 1;
+    RigidMotions motions_;
     std::vector<Resisted> resisted_;  // beside held components only: elsewhere it is nothing
-    Square factor_{};                 // Cholesky's, lower
+    SixFactor factor_;
 };
 
 }  // namespace featuremesh

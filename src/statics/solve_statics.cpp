@@ -7,6 +7,7 @@
 #include "core/errors.h"
 #include "core/messages.h"
 #include "statics/coarse_level.h"
+#include "statics/new_nodes.h"
 #include "statics/node_order.h"
 #include "statics/rigid_balance.h"
 
@@ -19,8 +20,9 @@ namespace {
 constexpr double most_new_share = 0.08, most_new_root = 10;
 /// With more new nodes than that a start from the last displacements saves less than balancing the new ones costs.
 constexpr double most_fresh_share = 0.2;
-/// New nodes are balanced with a layer of those round them, or with more while they are fewer than this share of all.
-constexpr double balanced_share = 0.02;
+/// New nodes are balanced with a layer of those round them, and with up to so many while all are fewer than this share.
+constexpr int balanced_layers = 4;
+constexpr double balanced_share = 0.05;
 /// A kept preconditioner may take this many times the iterations of its own matrix, and then some.
 constexpr int patience = 3, more_iterations = 10;
 /// Iterations go on to this share of the tolerance, since the residual is computed again by other sums.
@@ -64,24 +66,6 @@ double product(std::span<const double> a, std::span<const double> b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
     return sum;
-}
-
-/// The nodes and layers of neighbours round them: one, and more while they stay few.
-std::vector<std::int32_t> widened(std::vector<std::int32_t> nodes, const BlockMatrix& matrix) {
-    std::vector<char> is_in(matrix.node_count(), 0);
-    for (const std::int32_t node : nodes) is_in[std::size_t(node)] = 1;
-    std::size_t before = 0;
-    do {
-        const std::size_t count = nodes.size();
-        for (; before < count; ++before) {
-            const auto node = std::size_t(nodes[before]);
-            for (std::size_t k = matrix.begin(node); k < matrix.end(node); ++k)
-                if (char& is_other_in = is_in[std::size_t(matrix.neighbours[k])]; !is_other_in)
-                    is_other_in = 1, nodes.push_back(matrix.neighbours[k]);
-        }
-    } while (before < nodes.size() && double(nodes.size()) < balanced_share * double(is_in.size()));
-    std::sort(nodes.begin(), nodes.end());
-    return nodes;
 }
 
 double norm(std::span<const double> values) { return std::sqrt(product(values, values)); }
@@ -327,7 +311,10 @@ StaticsSolver::Start StaticsSolver::start_from_last(const StaticsModel& model, c
                 if (!model.is_held[i]) moved[i] = at->displacement[int(c)] - model.given[i];
     }
     if (double(fresh.size()) > most_fresh_share * double(count)) return {unbalanced, 0};
-    solver_->balance_within(widened(fresh, solver_->matrix()), unbalanced, moved);
+    move_with_kept(model, solver_->matrix(), fresh, moved);
+    const std::vector<std::int32_t> balanced =
+        with_neighbours(fresh, solver_->matrix(), balanced_layers, std::size_t(balanced_share * double(count)));
+    solver_->balance_within(balanced, unbalanced, moved);
     Start start = start_at(moved, unbalanced, context);
     for (std::size_t i = 0; i < moved.size(); ++i) solution.displacements[i] += moved[i];
     if (start.least_energy_norm > 0) solution.kept_start_share = 1 - double(fresh.size()) / double(count);
