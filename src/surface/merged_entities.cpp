@@ -159,14 +159,27 @@ bool is_point(const Brep& brep, EdgeId edge, VertexId vertex, double tolerance) 
     });
 }
 
-/// With ends in common: whether the curve runs along the edge between these shares of it.
-bool runs_along(const Brep& brep, const Projector& projector, const BRepAdaptor_Curve& curve,
-                const std::array<double, 2>& shares, EdgeId other, double tolerance) {
-    if (curve.GetType() == GeomAbs_Line && BRepAdaptor_Curve(brep.edge(other)).GetType() == GeomAbs_Line) return true;
-    return std::all_of(probes.begin(), probes.end(), [&](double share) {
-        const Vec3 p = point_at(curve, shares[0] + share * (shares[1] - shares[0]));
-        return projector.nearest(other, p).distance <= tolerance;
-    });
+/// An edge between two shares of it.
+struct Stretch {
+    EdgeId edge;
+    std::array<double, 2> shares{0, 1};
+};
+
+/// With ends in common: whether each of the two runs along the other. One shorter than the tolerance is near whatever
+/// ends there.
+bool run_along(const Brep& brep, const Projector& projector, const Stretch& one, const Stretch& other,
+               double tolerance) {
+    const BRepAdaptor_Curve curve(brep.edge(one.edge)), other_curve(brep.edge(other.edge));
+    if (curve.GetType() == GeomAbs_Line && other_curve.GetType() == GeomAbs_Line) return true;
+    const auto is_beside = [&](const BRepAdaptor_Curve& along, const std::array<double, 2>& shares, EdgeId to,
+                               double reach) {
+        return std::all_of(probes.begin(), probes.end(), [&](double share) {
+            const Vec3 p = point_at(along, shares[0] + share * (shares[1] - shares[0]));
+            return projector.nearest(to, p).distance <= reach;
+        });
+    };
+    return is_beside(curve, one.shares, other.edge, tolerance) &&
+           is_beside(other_curve, other.shares, one.edge, 2 * tolerance);
 }
 
 /// Whether two faces with one border lie on one another, or have nothing but a slit of their solid between them: what
@@ -335,6 +348,19 @@ std::vector<VertexId> MergedEntities::sequence_of(const Brep& brep, EdgeId edge)
     return sequence;
 }
 
+std::array<double, 2> MergedEntities::shares_between(const Brep& brep, EdgeId edge,
+                                                     const std::array<VertexId, 2>& ends) const {
+    const auto [first, last] = range_of(BRepAdaptor_Curve(brep.edge(edge)));
+    const std::vector<VertexId> sequence = sequence_of(brep, edge);
+    const auto share_of = [&](VertexId vertex) {
+        const auto place =
+            static_cast<std::size_t>(std::find(sequence.begin(), sequence.end(), vertex) - sequence.begin());
+        if (place == 0 || place + 1 >= sequence.size()) return place == 0 ? 0.0 : 1.0;
+        return (vertices_on[edge.index()][place - 1].first - first) / (last - first);
+    };
+    return {share_of(ends[0]), share_of(ends[1])};
+}
+
 void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
     std::vector<EdgeId> order;  // those with most vertices on them first: others may be parts of them
     lender_of.resize(brep.edge_count());
@@ -352,9 +378,10 @@ void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
     std::map<std::array<VertexId, 2>, std::vector<EdgeId>> between;
     for (const EdgeId edge : order) {
         const std::vector<VertexId> sequence = sequence_of(brep, edge);
-        const BRepAdaptor_Curve curve(brep.edge(edge));
-        for (const EdgeId other : between[sorted_pair(sequence.front(), sequence.back())])
-            if (runs_along(brep, projector, curve, {0, 1}, other, reach_between(brep, edge, other))) {
+        const std::array<VertexId, 2> ends{sequence.front(), sequence.back()};
+        for (const EdgeId other : between[sorted_pair(ends[0], ends[1])])
+            if (run_along(brep, projector, {edge}, {other, shares_between(brep, other, ends)},
+                          reach_between(brep, edge, other))) {
                 edge_of[edge.index()] = other;
                 break;
             }
@@ -383,21 +410,18 @@ double MergedEntities::reach_between(const Brep& brep, EdgeId edge, EdgeId other
 
 void MergedEntities::borrow_stretch(const Brep& brep, const Projector& projector, EdgeId edge, std::size_t first,
                                     const std::vector<EdgeId>& others) {
-    const BRepAdaptor_Curve curve(brep.edge(edge));
-    const auto [begin, end] = range_of(curve);
-    const auto& on = vertices_on[edge.index()];
-    const double from = first == 0 ? begin : on[first - 1].first, to = first == on.size() ? end : on[first].first;
-    const std::array<double, 2> shares{(from - begin) / (end - begin), (to - begin) / (end - begin)};
     const std::vector<VertexId> sequence = sequence_of(brep, edge);
+    const std::array<VertexId, 2> ends{sequence[first], sequence[first + 1]};
+    const std::array<double, 2> shares = shares_between(brep, edge, ends);
     const auto has_stretch = [&](EdgeId other) {
         Stretches its;
-        add_stretches(brep, other, {sequence[first], sequence[first + 1]}, its);
+        add_stretches(brep, other, ends, its);
         return its.begin()->first.first == other && its.rbegin()->first.first == other &&
-               runs_along(brep, projector, curve, shares, other, tolerance_);
+               run_along(brep, projector, {edge, shares}, {other, shares_between(brep, other, ends)}, tolerance_);
     };
     const auto lender = std::find_if(others.begin(), others.end(), has_stretch);
     if (lender == others.end()) return;
-    lender_of[edge.index()].resize(on.size() + 1);
+    lender_of[edge.index()].resize(sequence.size() - 1);
     lender_of[edge.index()][first] = *lender;
 }
 

@@ -47,6 +47,8 @@ struct MergedEntities {
     /// By the edge that has the chain and the number of a stretch of it between vertices: how often a border has it.
     using Stretches = std::map<std::pair<EdgeId, std::ptrdiff_t>, int>;
     void join_edges(const Brep& brep, const Projector& projector);
+    /// Where between its ends two of the vertices along the edge are.
+    std::array<double, 2> shares_between(const Brep& brep, EdgeId edge, const std::array<VertexId, 2>& ends) const;
     /// How far from one another the edges may run in one place: where all that is between them is a face without any
     /// width, as far as the kernel says that they may be off.
     double reach_between(const Brep& brep, EdgeId edge, EdgeId other) const;

@@ -31,6 +31,7 @@
 #include <gp_Ax2.hxx>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
+#include <numbers>
 #include <set>
 
 #include "catch.h"
@@ -201,6 +202,23 @@ TEST_CASE("a bore whose wall closes but for a sliver has the wall, and is left o
     CHECK(smallest_angle(mesh) > 20);
     CHECK(euler_characteristic(mesh) == 0);
     CHECK(area(mesh) == Approx(2 * (30 * 20 + 30 * 10 + 20 * 10 - 16 * M_PI) + 80 * M_PI).epsilon(0.02));
+}
+
+TEST_CASE("an edge that closes all but a ring runs along no other, if it is less than two lengths long") {
+    const double gap = 0.0021, radius = 5;
+    const double angle = gap / radius;
+    const gp_Circ circle(gp::XOY(), radius);
+    BRepBuilderAPI_MakeWire wire(BRepBuilderAPI_MakeEdge(circle, angle / 2, 2 * std::numbers::pi - angle / 2).Edge());
+    wire.Add(BRepBuilderAPI_MakeEdge(circle, -angle / 2, angle / 2).Edge());
+    const Brep brep(BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, 0, 8)).Shape());
+    for (const double ignored : {0.6 * gap, 0.98 * gap}) {
+        const MergedEntities merged(brep, ignored);
+        CHECK(merged.warnings().empty());
+        CHECK(euler_characteristic(mesh_ignoring(brep, merged, 2)) == 2);
+    }
+    const MergedEntities merged(brep, 1.1 * gap);
+    CHECK(std::count(merged.is_flat.begin(), merged.is_flat.end(), 1) == 1);
+    CHECK(smallest_angle(mesh_ignoring(brep, merged, 2)) > 25);
 }
 
 TEST_CASE("faces of one solid that lie on one another have no triangles, and the mesh is joined there") {
