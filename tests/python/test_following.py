@@ -10,6 +10,7 @@ import Part
 from blocks import NEAR, BlockParts, warnings_of
 from freecad.featuremesh import api, history, references, state, versions
 from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.study import study_object
 from parts import groups_of, placement
 from test_references import names_of, open_example
 
@@ -285,6 +286,19 @@ class AfterTheMesh(unittest.TestCase):
         api.set_parameters(self.document, ["HoleSketch.Hole4Radius=6"])
         self.update()
         self.check(support, 6)
+
+    def test_a_case_of_a_study_without_a_mesh(self):
+        """Shown in the document, the part as it is is meshed first: a load stays on its face, and one that is lost comes back with the part as it was."""
+        self.document.removeObject(self.mesh.Name)
+        self.document.recompute()
+        study = study_object.add(self.body, self.document.Analysis)
+        force, = names_of(self.document.Force)
+        self.assertEqual(self.bracket.label(force[1]), ("Boss", "top"))
+        for assignment, labels in (("HoleSketch.Hole1X=-20", [("Boss", "top")]), ("BossSketch.BossRadius=9", []), ("BossSketch.BossRadius=18", [("Boss", "top")])):
+            with self.subTest(assignment):
+                study_object.show_values(study, [assignment])
+                self.assertEqual([self.bracket.label(name) for _, name in names_of(self.document.Force)], labels)
+        self.assertEqual(references.unmended(self.document.Analysis), [])
 
 
 class Blocks(BlockParts):

@@ -172,9 +172,10 @@ def is_as_run(obj):
 def show_values(obj, assignments):
     """Gives the document the values of a case, or those that it had, as for api.set_parameters: the part and its mesh follow, made where there is none. Throws
     UserError."""
-    api.set_parameters(obj.Document, assignments)
     if not has_mesh(obj):
         api.add_mesh(obj.Part, **preferences.for_new_mesh())
+        api.recompute(obj.Document)   # by that of the part as it is, loads and supports find their faces again
+    api.set_parameters(obj.Document, assignments)
     api.recompute(obj.Document)
 
 
