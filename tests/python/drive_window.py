@@ -167,16 +167,26 @@ def check_copy_and_deletion(api, document, body, mesh):
 
 
 def check_tables_close(compare, saved):
-    """With the part, or the document, whose faces they would select."""
+    """With the part, or the document, whose faces they would select; the document to compare with is looked for beside the part's."""
     active = FreeCAD.ActiveDocument
+    said = report_view()
     for close in (lambda other: FreeCAD.closeDocument(other.Name), lambda other: other.removeObject("Body")):
         other = FreeCAD.openDocument(saved)
         name = other.Name
+        other.HoleSketch.setDatum("X", FreeCAD.Units.Quantity("28 mm"))
+        other.recompute()
+        asked = []
+        with mock.patch.object(QtGui.QFileDialog, "getOpenFileName", lambda parent, title, folder, kinds: asked.append(folder) or ("", "")):
+            compare.Command().run(other)
+        assert asked == [os.path.dirname(saved)], (asked, saved)
         dialog = compare.Command().show(other.Body, saved)
         assert is_shown(dialog)
+        rows = dialog.findChild(QtGui.QTreeWidget)
+        rows.setCurrentItem(rows.findItems("Hole", QtCore.Qt.MatchExactly)[0])   # which shows the part
+        assert Gui.Selection.getSelectionEx()[0].SubElementNames
         close(other)
         spin()
-        assert not is_shown(dialog)
+        assert not is_shown(dialog) and "Traceback" not in report_view()[len(said):], report_view()
         if name in FreeCAD.listDocuments():
             FreeCAD.closeDocument(name)
     FreeCAD.setActiveDocument(active.Name)

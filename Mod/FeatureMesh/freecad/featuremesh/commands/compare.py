@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
+import os
+
 import FreeCADGui as Gui
 from PySide import QtGui
 
@@ -17,7 +19,7 @@ class Command(MeshCommand):
 
     def run(self, document):
         part = selected_part(document)
-        path, _ = QtGui.QFileDialog.getOpenFileName(Gui.getMainWindow(), self.title, "", "FreeCAD (*.FCStd)")
+        path, _ = QtGui.QFileDialog.getOpenFileName(Gui.getMainWindow(), self.title, os.path.dirname(document.FileName), "FreeCAD (*.FCStd)")
         if path:
             self.show(part, path)
 

@@ -87,6 +87,7 @@ class _Window(QtGui.QDialog):
 
     def slotDeletedDocument(self, document):
         if document is self._document:
+            self._before = []   # nothing of it can be seen any more
             self.close()
 
     def _end(self):
