@@ -147,12 +147,15 @@ def check_plots(study, results):
 
 
 def check_rows(document, study, results):
-    """A double click on a row gives the document the case's values: part, mesh and result; undo and As it was take that back."""
+    """A click on a row tells its case. A double click gives the document the case's values: part, mesh and result; undo and As it was take that back."""
     from freecad.featuremesh import api, engine, live_result
     press_at(results.tabs.tabBar(), results.tabs.tabBar().tabRect(3).center())
     cases = cases_of(study)
     assert results.table.rowCount() == len(cases) == 16
     picture("study_cases")
+    for row in (1, 0):
+        press_at(results.table.viewport(), results.table.visualItemRect(results.table.item(row, 1)).center())
+        assert results.note.text().startswith("Case %d: Boss.Length" % cases[row].id), results.note.text()
     row = max((row for row, case in enumerate(cases) if case.state == "done"), key=lambda row: cases[row].parameters["Fillet.Radius"])
     case, volume, steps = cases[row], study.Part.Shape.Volume, document.UndoCount
     results.table.scrollToItem(results.table.item(row, 0))
@@ -216,6 +219,23 @@ def check_report(study, results):
             click(results.export_button)
         assert os.listdir(folder) == ["of 12.5 mm.json"], (os.listdir(folder), window.messages)
     results.close()
+
+
+def check_folder(study):
+    """That of a study that was moved with its document is found beside that; a file in it that is no study's is told of, and the panel can be used."""
+    before = study.Folder
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "study.sqlite").write_text("no database", encoding="utf-8")
+        for place, is_there, status in (("/gone/" + os.path.basename(before), True, "16 of 16 cases done"), ("/gone/study", False, "not run yet"),
+                                        (folder, False, "is no study's database")):
+            study.Folder = place
+            study.ViewObject.doubleClicked()
+            spin(1)
+            shown = panel("StudyPanel")
+            assert shown.results_button.isEnabled() == is_there and status in shown.status.text(), (place, shown.status.text())
+            click_in_panel("Close")
+    assert "Traceback" not in report_view(), report_view()
+    study.Folder = before
 
 
 def check_bounds_of_a_script(study):
@@ -312,6 +332,7 @@ def drive():
     check_rows(document, study, results)
     check_is_left(shown)
     check_report(study, results)
+    check_folder(study)
     check_stop(check_settings(document, study), study)
 
 

@@ -2,6 +2,7 @@
 """What a script may ask for by mistake is refused in a sentence: parts without a shape, objects that are gone, settings without sense, sizes far too small."""
 import errno
 import os
+import tempfile
 import unittest
 from unittest import mock
 
@@ -10,7 +11,7 @@ import ObjectsFem
 import Part
 from freecad.featuremesh import api, engine
 from freecad.featuremesh.errors import UserError
-from freecad.featuremesh.study import study_object
+from freecad.featuremesh.study import study_object, window_run
 from freecad.featuremesh.too_fine import _elements_around
 from parts import new_document, plate_with_hole
 
@@ -51,6 +52,11 @@ class Parts(unittest.TestCase):
         with mock.patch.object(os, "makedirs", side_effect=PermissionError(errno.EACCES, os.strerror(errno.EACCES))), \
                 self.assertRaisesRegex(UserError, r"the study's folder .*-study cannot be made \(Permission denied\); save the document where you may write"):
             study_object.start(study)
+        study.Folder = tempfile.mkdtemp()
+        self.addCleanup(os.rmdir, study.Folder)
+        with mock.patch.object(window_run, "open", create=True, side_effect=PermissionError(errno.EACCES, os.strerror(errno.EACCES), "run.log")), \
+                self.assertRaisesRegex(UserError, "cannot write run.log: Permission denied"):
+            study_object.go_on(study)
 
     def test_no_recompute(self):
         self.refused("Box has no shape yet; recompute the document first", self.document.addObject("Part::Box", "Box"))

@@ -9,6 +9,7 @@ import sys
 import tempfile
 import unittest
 import unittest.mock
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -23,6 +24,7 @@ from freecad.featuremesh.study import (  # noqa: E402
 from freecad.featuremesh.study.classic_designs import box_behnken, central_composite  # noqa: E402
 from freecad.featuremesh.study.database import Database  # noqa: E402
 from freecad.featuremesh.study.expressions import Expression  # noqa: E402
+from freecad.featuremesh.study.folder import StudyFolder  # noqa: E402
 from freecad.featuremesh.study.response_words import KINDS, WORDS, parse_list, parse_response  # noqa: E402
 
 FULL_DISK = """
@@ -460,6 +462,25 @@ class Keeping(unittest.TestCase):
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
             self.assertIn("every finished case is safe", done.stdout, done.stderr)
             self.assertEqual(sum(Database(path).counts().values()), int(done.stdout.split()[0]))
+
+    def test_a_study_in_a_folder_that_cannot_be_written_is_read(self):
+        with tempfile.TemporaryDirectory(suffix=" 50% #1?") as folder:
+            path = os.path.join(folder, "study.sqlite")
+            database = Database(path, new=True)
+            database.add_cases([({"x": 1.5}, None)], "test")
+            database.close()
+            before = Path(path).read_bytes()
+            with unittest.mock.patch.object(os, "access", return_value=False):   # nothing is closed to root
+                database = Database(path)
+                self.assertEqual([case.parameters for case in database.cases()], [{"x": 1.5}])
+                with self.assertRaisesRegex(UserError, "study.sqlite cannot be written"):
+                    database.add_cases([({"x": 2.5}, None)], "test")
+                self.assertEqual(os.listdir(folder), ["study.sqlite"])
+                database.close()
+            os.mkdir(os.path.join(folder, "running.lock"))   # what even root cannot open
+            with self.assertRaisesRegex(UserError, "cannot write .*running.lock: Is a directory"):
+                StudyFolder(folder).lock()
+            self.assertEqual(Path(path).read_bytes(), before)
 
     def test_the_same_parameters_are_one_case(self):
         with tempfile.TemporaryDirectory() as folder:

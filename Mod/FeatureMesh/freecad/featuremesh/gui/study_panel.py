@@ -70,7 +70,11 @@ class StudyPanel(ClosesWithObject):
         """Brings the status up to date with what runs."""
         run = study_runs.run_of(self.study)
         running = run is not None and run.is_running()
-        done, total, left = window_run.how_far(self.study.Folder, run.jobs if run else 1, self._running_since) if self.study.Folder else (0, 0, None)
+        unreadable = ""
+        try:
+            done, total, left = window_run.how_far(study_object.folder_of(self.study), run.jobs if run else 1, self._running_since)
+        except UserError as error:
+            (done, total, left), unreadable = (0, 0, None), user_words.in_words(of_error(error))
         self.run_button.setText(translate("FeatureMesh", "Stop") if running else translate("FeatureMesh", "Run"))
         can_add = bool(total) and done == total and self.study.Sampling in design.COUNTED and study_object.is_as_run(self.study)
         self.go_on_button.setVisible(not running and (done < total or can_add))
@@ -79,7 +83,7 @@ class StudyPanel(ClosesWithObject):
         self.bar.setVisible(running)
         self.bar.setRange(0, total)
         self.bar.setValue(done)
-        self.status.setText(self._wrong or self._in_words(run, running, done, total, left))
+        self.status.setText(self._wrong or unreadable or self._in_words(run, running, done, total, left))
 
     def show_results(self):
         """Opens the window with the cases and the plots."""
@@ -246,7 +250,7 @@ class StudyPanel(ClosesWithObject):
 
     def _go_on(self):
         """Runs what waits, or as many cases more as the box says."""
-        done, total, _ = window_run.how_far(self.study.Folder)
+        done, total, _ = window_run.how_far(study_object.folder_of(self.study))
         self._start(study_object.go_on, self.cases.value() if done == total else 0)
 
     def _start(self, begin, *words):

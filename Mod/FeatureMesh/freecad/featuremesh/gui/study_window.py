@@ -58,6 +58,7 @@ class StudyWindow(QtGui.QDialog):
         self.table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         self.table.setSelectionMode(QtGui.QAbstractItemView.SingleSelection)
         self.table.cellDoubleClicked.connect(lambda row, _: self.open_row(row))
+        self.table.itemSelectionChanged.connect(self._tell_selected)
         self.tabs = QtGui.QTabWidget()
         self.plots = [PlotTab(kind, self.select_case) for kind in ("scatter", "parallel", "tornado")]
         for tab in self.plots:
@@ -76,11 +77,12 @@ class StudyWindow(QtGui.QDialog):
 
     def refresh(self):
         """Brings table and plots up to date with the study's database."""
-        if not os.path.exists(os.path.join(self.study.Folder, "study.sqlite")):
+        path = study_object.folder_of(self.study)
+        if not os.path.exists(os.path.join(path, "study.sqlite")):
             return
-        folder = StudyFolder(self.study.Folder)
+        folder = StudyFolder(path)
         try:
-            seen = self.study.Folder, tuple(folder.database.counts().items())
+            seen = path, tuple(folder.database.counts().items())
             if seen == self._seen:
                 return
             self._seen = seen
@@ -96,15 +98,12 @@ class StudyWindow(QtGui.QDialog):
 
     def select_case(self, case_id):
         """Marks the case's row."""
-        row = next(row for row, case in enumerate(self._cases) if case.id == case_id)
-        self.table.selectRow(row)
-        self.note.setText(self._in_words(self._cases[row]))
+        self.table.selectRow(next(row for row, case in enumerate(self._cases) if case.id == case_id))
 
     def open_row(self, row):
         """Gives the document the values of the case in that row; part, mesh and result follow."""
         case = self._cases[row]
         self._show_values(case.parameters, translate("FeatureMesh", "Show case %d") % case.id, case.state == "done")
-        self.note.setText(self._in_words(case))
 
     def go_back(self):
         """Gives the document the values that it had when the study began."""
@@ -155,8 +154,16 @@ class StudyWindow(QtGui.QDialog):
         words = ", ".join("%s %s%s" % (word, _shown(values[name]), unit) for name, word, unit in known if name in values)
         return translate("FeatureMesh", "Case %d: %s") % (case.id, in_words(case.message) if case.state in ("failed", "infeasible") else words)
 
+    def _tell_selected(self):
+        for row in self._selected_rows():
+            self.note.setText(self._in_words(self._cases[row]))
+
+    def _selected_rows(self):
+        """One or none."""
+        return [index.row() for index in self.table.selectionModel().selectedRows()]
+
     def _open_selected(self):
-        rows = [index.row() for index in self.table.selectionModel().selectedRows()]
+        rows = self._selected_rows()
         if rows:
             self.open_row(rows[0])
         else:
@@ -186,7 +193,7 @@ class StudyWindow(QtGui.QDialog):
 
     def _report(self):
         """Writes the page and opens it."""
-        folder = StudyFolder(self.study.Folder)
+        folder = StudyFolder(study_object.folder_of(self.study))
         path = os.path.join(folder.path, "report.html")
         try:
             report.write(folder, path, say=in_words, as_shown=as_shown)
@@ -199,9 +206,10 @@ class StudyWindow(QtGui.QDialog):
         self.note.setText(translate("FeatureMesh", "The report is %s") % path)
 
     def _export(self):
-        path = ask_for_file(self, translate("FeatureMesh", "Save table"), os.path.join(self.study.Folder, "cases.csv"), "CSV (*.csv);;JSON (*.json)", ("csv", "json"))
+        proposed = os.path.join(study_object.folder_of(self.study), "cases.csv")
+        path = ask_for_file(self, translate("FeatureMesh", "Save table"), proposed, "CSV (*.csv);;JSON (*.json)", ("csv", "json"))
         if path is not None:
-            folder = StudyFolder(self.study.Folder)
+            folder = StudyFolder(study_object.folder_of(self.study))
             try:
                 table.write(folder, path)
             except UserError as error:

@@ -2,7 +2,9 @@
 """Every case of a study in one SQLite file, which other programs may read while the study runs."""
 
 import json
+import os
 import sqlite3
+import urllib.parse
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
@@ -46,13 +48,15 @@ class Database:
     """The file of one study. Each method is one transaction, on the disk when it returns."""
 
     def __init__(self, path, new=False):
-        """Opens it, or makes it. Throws UserError for what is no study's file or a newer program's."""
+        """Opens it, or makes it; in a folder that cannot be written only to be read. Throws UserError for what is no study's file or a newer program's."""
         self._path = path
-        self._link = sqlite3.connect(path, isolation_level=None, timeout=30.0)
+        is_writable = os.access(os.path.dirname(os.path.abspath(path)), os.W_OK)
+        self._link = sqlite3.connect("file:%s%s" % (urllib.parse.quote(path), "" if is_writable else "?immutable=1"), isolation_level=None, timeout=30.0, uri=True)
         try:
             with _disk_errors(path):
-                self._link.execute("pragma journal_mode=wal")
-                self._link.execute("pragma synchronous=full")
+                if is_writable:
+                    self._link.execute("pragma journal_mode=wal")
+                    self._link.execute("pragma synchronous=full")
                 if new:
                     with self._transaction():
                         for statement in _TABLES.split(";"):

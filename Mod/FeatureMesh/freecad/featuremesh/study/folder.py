@@ -75,9 +75,12 @@ class StudyFolder:
         return self.case_folder(case_id)
 
     def lock(self):
-        """Throws UserError while another process runs the study; the lock ends with this process, however it ends."""
+        """Throws UserError while another process runs the study, or where it cannot be written; the lock ends with this process, however it ends."""
         path = os.path.join(self.path, "running.lock")
-        stream = open(path, "a+", encoding="utf-8")
+        try:
+            stream = open(path, "a+", encoding="utf-8")
+        except OSError as error:
+            raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=error.strerror)) from error
         try:
             fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:

@@ -144,7 +144,14 @@ def _name_of_copy(path):
 
 def go_on(obj, more=0):
     """Runs what waits in the study's folder, with so many cases more. Returns the window_run.WindowRun. Throws UserError."""
-    return _told(obj, window_run.WindowRun(obj.Folder, obj.Jobs, more))
+    return _told(obj, window_run.WindowRun(folder_of(obj), obj.Jobs, more))
+
+
+def folder_of(obj):
+    """Where the study's cases are: the folder that it was run in, or where that is gone the one of its name beside the document, moved with it. "" before it
+    was run."""
+    beside = os.path.join(os.path.dirname(obj.Document.FileName), os.path.basename(obj.Folder))
+    return beside if obj.Folder and not os.path.isdir(obj.Folder) and os.path.isdir(beside) else obj.Folder
 
 
 def _told(obj, run):
@@ -161,7 +168,7 @@ def has_mesh(obj):
 def is_as_run(obj):
     """Does the object ask for what its folder's study asks for, but for the number of cases?"""
     try:
-        kept = read_toml(os.path.join(obj.Folder, "study.toml"))
+        kept = read_toml(os.path.join(folder_of(obj), "study.toml"))
         asked = study_of(obj, kept.document)
     except (UserError, OSError):
         return False

@@ -33,13 +33,16 @@ class WindowRun:
         self.folder = folder
         self.jobs = min(jobs or os.cpu_count(), len(os.sched_getaffinity(0)))
         self._result = os.path.join(folder, "run.json")
-        if os.path.exists(self._result):
-            os.unlink(self._result)
         order = {"folder": folder, "jobs": self.jobs, "more": more, "freecad": program(), "parent": os.getpid()}
         environment = {**os.environ, "FEATUREMESH_STUDY_RUN": json.dumps(order), "FEATUREMESH_ENGINE": engine.folder(), "LC_ALL": "C.UTF-8"}
-        with open(os.path.join(folder, "run.log"), "wb") as log:
-            self._process = subprocess.Popen([order["freecad"], _SCRIPT], stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True,
-                                             env=environment)
+        try:
+            if os.path.exists(self._result):
+                os.unlink(self._result)
+            with open(os.path.join(folder, "run.log"), "wb") as log:
+                self._process = subprocess.Popen([order["freecad"], _SCRIPT], stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True,
+                                                 env=environment)
+        except OSError as error:
+            raise UserError(said("cannot write {path:text}: {why:messages}", path=error.filename, why=error.strerror)) from error
 
     def is_running(self):
         return self._process.poll() is None
@@ -69,7 +72,7 @@ class WindowRun:
 def how_far(folder, jobs=1, running_since=None):
     """(cases finished, cases in all, seconds left or None) of the study in a folder, (0, 0, None) before it has cases. `running_since` is a dict that remembers from
     one call to the next since when cases run."""
-    if not os.path.exists(os.path.join(folder, "study.sqlite")):
+    if not folder or not os.path.exists(os.path.join(folder, "study.sqlite")):
         return 0, 0, None
     database = StudyFolder(folder).database
     try:
