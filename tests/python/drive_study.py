@@ -156,6 +156,7 @@ def check_rows(document, study, results):
     for row in (1, 0):
         press_at(results.table.viewport(), results.table.visualItemRect(results.table.item(row, 1)).center())
         assert results.note.text().startswith("Case %d: Boss.Length" % cases[row].id), results.note.text()
+    check_sorted(results, cases)
     row = max((row for row, case in enumerate(cases) if case.state == "done"), key=lambda row: cases[row].parameters["Fillet.Radius"])
     case, volume, steps = cases[row], study.Part.Shape.Volume, document.UndoCount
     results.table.scrollToItem(results.table.item(row, 0))
@@ -187,6 +188,18 @@ def check_rows(document, study, results):
     assert document.Fillet.Radius.Value == 3
 
 
+def check_sorted(results, cases):
+    """A click on a column's title sorts by its numbers, one more the other way round; the selected case stays selected."""
+    header, name = results.table.horizontalHeader(), "Fillet.Radius"
+    wanted = [case.id for case in sorted(cases, key=lambda case: case.parameters[name])]
+    column = next(column for column in range(results.table.columnCount()) if results.table.horizontalHeaderItem(column).text() == name)
+    for place, order in ((column, wanted), (column, wanted[::-1]), (0, [case.id for case in cases])):
+        press_at(header.viewport(), QtCore.QPoint(header.sectionViewportPosition(place) + 20, header.height() // 2))
+        assert [int(results.table.item(row, 0).text()) for row in range(16)] == order, order
+        chosen, = results.table.selectionModel().selectedRows()
+        assert int(results.table.item(chosen.row(), 0).text()) == cases[0].id
+
+
 def check_is_left(shown):
     """The panel that the case closed hears of no selection any longer, nor of the time."""
     assert not Gui.Control.activeDialog()
@@ -195,6 +208,19 @@ def check_is_left(shown):
     spin(1)
     assert "already deleted" not in report_view(), report_view()
     assert not shown._timer.isActive()
+
+
+def check_edited_sketch(document, results):
+    """No case is shown, and no panel closed, while something else is edited in one."""
+    document.HoleSketch.ViewObject.doubleClicked()
+    spin()
+    steps = document.UndoCount
+    double_click(results.table.viewport(), results.table.visualItemRect(results.table.item(0, 1)).center())
+    assert window.messages[-1] == "HoleSketch is being edited; close its panel first" and document.UndoCount == steps, window.messages
+    assert Gui.Control.activeDialog() and Gui.activeDocument().getInEdit().Object is document.HoleSketch
+    Gui.activeDocument().resetEdit()
+    Gui.activateWorkbench("FeatureMeshWorkbench")
+    spin()
 
 
 def check_live(live, case):
@@ -331,6 +357,7 @@ def drive():
     check_plots(study, results)
     check_rows(document, study, results)
     check_is_left(shown)
+    check_edited_sketch(document, results)
     check_report(study, results)
     check_folder(study)
     check_stop(check_settings(document, study), study)

@@ -8,7 +8,7 @@ import FreeCAD
 import ObjectsFem
 import Part
 from blocks import NEAR, BlockParts, warnings_of
-from freecad.featuremesh import api, history, references, state, versions
+from freecad.featuremesh import api, history, mesh_object, references, state, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.study import study_object
 from parts import groups_of, placement
@@ -298,6 +298,9 @@ class AfterTheMesh(unittest.TestCase):
             with self.subTest(assignment):
                 study_object.show_values(study, [assignment])
                 self.assertEqual([self.bracket.label(name) for _, name in names_of(self.document.Force)], labels)
+                mesh, = api.meshes_of(self.document)
+                self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+                mesh.Automatic = False   # what shows a case updates it all the same
         self.assertEqual(references.unmended(self.document.Analysis), [])
 
 

@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 
 from .. import api, view_provider
 from ..errors import UserError
+from ..messages import said
 from ..study import answers, report, response_words, study_object, table
 from ..study.folder import StudyFolder
 from ..user_words import as_shown, figure, in_words
@@ -59,6 +60,7 @@ class StudyWindow(QtGui.QDialog):
         self.table.setSelectionMode(QtGui.QAbstractItemView.SingleSelection)
         self.table.cellDoubleClicked.connect(lambda row, _: self.open_row(row))
         self.table.itemSelectionChanged.connect(self._tell_selected)
+        self.table.sortByColumn(0, QtCore.Qt.AscendingOrder)
         self.tabs = QtGui.QTabWidget()
         self.plots = [PlotTab(kind, self.select_case) for kind in ("scatter", "parallel", "tornado")]
         for tab in self.plots:
@@ -87,9 +89,9 @@ class StudyWindow(QtGui.QDialog):
                 return
             self._seen = seen
             self._design, self._base = folder.study(), folder.facts()["base_values"]
-            self._cases = folder.database.cases()
+            self._cases = {case.id: case for case in folder.database.cases()}
             self._fill()
-            if any(case.state == "done" for case in self._cases):
+            if any(case.state == "done" for case in self._cases.values()):
                 data = answers.data_of(folder)
                 for tab in self.plots:
                     tab.take(data)
@@ -98,11 +100,11 @@ class StudyWindow(QtGui.QDialog):
 
     def select_case(self, case_id):
         """Marks the case's row."""
-        self.table.selectRow(next(row for row, case in enumerate(self._cases) if case.id == case_id))
+        self.table.selectRow(next(row for row in range(self.table.rowCount()) if self._case_in(row).id == case_id))
 
     def open_row(self, row):
         """Gives the document the values of the case in that row; part, mesh and result follow."""
-        case = self._cases[row]
+        case = self._case_in(row)
         self._show_values(case.parameters, translate("FeatureMesh", "Show case %d") % case.id, case.state == "done")
 
     def go_back(self):
@@ -133,19 +135,28 @@ class StudyWindow(QtGui.QDialog):
         layout.addLayout(row)
 
     def _fill(self):
+        """The case that is selected stays so."""
+        selected = [self._case_in(row).id for row in self._selected_rows()]
         names = [entry.name for entry in (*self._design.parameters, *self._design.responses)]
-        self.table.setColumnCount(len(names) + 3)
         titles = [*(entry.name for entry in self._design.parameters), *(in_words(entry.title) for entry in self._design.responses)]
+        self.table.setSortingEnabled(False)   # while rows are filled
+        self.table.setColumnCount(len(names) + 3)
         self.table.setHorizontalHeaderLabels([translate("FeatureMesh", "case"), translate("FeatureMesh", "state"), *titles, translate("FeatureMesh", "message")])
         self.table.horizontalHeader().setStretchLastSection(True)
         self.table.verticalHeader().hide()
         self.table.setRowCount(len(self._cases))
-        for row, case in enumerate(self._cases):
+        for row, case in enumerate(self._cases.values()):
             values = {**case.parameters, **case.responses}
-            cells = [str(case.id), translate("FeatureMesh", _STATES[case.state]), *(_shown(values.get(name, "")) for name in names), in_words(case.message)]
-            for column, text in enumerate(cells):
-                self.table.setItem(row, column, QtGui.QTableWidgetItem(text))
+            cells = [case.id, translate("FeatureMesh", _STATES[case.state]), *(values.get(name, "") for name in names), in_words(case.message)]
+            for column, value in enumerate(cells):
+                self.table.setItem(row, column, _Cell(value))
+        self.table.setSortingEnabled(True)
         self.table.resizeColumnsToContents()
+        for case_id in selected:
+            self.select_case(case_id)
+
+    def _case_in(self, row):
+        return self._cases[self.table.item(row, 0).value]
 
     def _in_words(self, case):
         values = {**case.parameters, **case.responses}
@@ -156,7 +167,7 @@ class StudyWindow(QtGui.QDialog):
 
     def _tell_selected(self):
         for row in self._selected_rows():
-            self.note.setText(self._in_words(self._cases[row]))
+            self.note.setText(self._in_words(self._case_in(row)))
 
     def _selected_rows(self):
         """One or none."""
@@ -171,9 +182,8 @@ class StudyWindow(QtGui.QDialog):
 
     def _show_values(self, values, title, is_solvable):
         """One step of undo."""
-        if Gui.Control.activeDialog():
-            Gui.Control.closeDialog()   # of the study, whose dimensions change
         try:
+            self._close_panel()
             with undo_step(self._document, title):
                 assignments = [parameter.assignment(values[parameter.name]) for parameter in self._design.parameters]
                 recording.run(study_object.show_values, self.study, assignments)
@@ -181,6 +191,15 @@ class StudyWindow(QtGui.QDialog):
                     self._show_result()
         except Exception as error:
             errors.show(error, self.study.Part)
+
+    def _close_panel(self):
+        """That of the study, whose dimensions change. Throws UserError where something else is edited in one, a sketch or a load."""
+        document = Gui.editDocument()
+        edited = document.getInEdit() if document is not None else None
+        if Gui.Control.activeDialog():
+            if edited is not None and edited.Object is not self.study:
+                raise UserError(said("{object:text} is being edited; close its panel first", object=edited.Object.Label))
+            Gui.Control.closeDialog()
 
     def _show_result(self):
         """The live result where that knows the analysis, else CalculiX's."""
@@ -222,6 +241,20 @@ class StudyWindow(QtGui.QDialog):
         FreeCAD.removeDocumentObserver(self)
         if self in _open:
             _open.remove(self)
+
+
+class _Cell(QtGui.QTableWidgetItem):
+    """Sorted by its value; those without one are last, whichever way."""
+
+    def __init__(self, value):
+        super().__init__(_shown(value))
+        self.value = value
+
+    def __lt__(self, other):
+        if "" in (self.value, other.value):
+            is_rising = self.tableWidget().horizontalHeader().sortIndicatorOrder() == QtCore.Qt.AscendingOrder
+            return (self.value != "") == is_rising and self.value != other.value
+        return self.value < other.value
 
 
 def _shown(value):

@@ -113,7 +113,7 @@ def study_of(obj, document_path):
                   analysis=obj.Analysis.Name if obj.Analysis else None, solver=None if obj.Solver == _ANY_SOLVER else obj.Solver,
                   sampling=obj.Sampling, cases=obj.Cases if obj.Sampling in COUNTED else 0, seed=obj.Seed, constraints=list(obj.Constraints),
                   keep=list(obj.Keep), seconds_limit=obj.SecondsLimit)
-    if not has_mesh(obj):   # as the window meshes it
+    if not meshes_of(obj):   # as the window meshes it
         wanted = preferences.for_new_mesh()
         study.mesh_size, study.mesh_order = api.default_size(obj.Part, wanted["elements"]), wanted["order"]
     check(study)
@@ -160,9 +160,9 @@ def _told(obj, run):
     return run
 
 
-def has_mesh(obj):
-    """Has the part a mesh of ours?"""
-    return any(versions.part_of(mesh) is obj.Part for mesh in api.meshes_of(obj.Document))
+def meshes_of(obj):
+    """The meshes of ours that the part has."""
+    return [mesh for mesh in api.meshes_of(obj.Document) if versions.part_of(mesh) is obj.Part]
 
 
 def is_as_run(obj):
@@ -179,11 +179,14 @@ def is_as_run(obj):
 def show_values(obj, assignments):
     """Gives the document the values of a case, or those that it had, as for api.set_parameters: the part and its mesh follow, made where there is none. Throws
     UserError."""
-    if not has_mesh(obj):
+    if not meshes_of(obj):
         api.add_mesh(obj.Part, **preferences.for_new_mesh())
         api.recompute(obj.Document)   # by that of the part as it is, loads and supports find their faces again
     api.set_parameters(obj.Document, assignments)
     api.recompute(obj.Document)
+    for mesh in meshes_of(obj):
+        if not mesh.Automatic:
+            api.update_mesh(mesh)
 
 
 def dimensions_of(obj):

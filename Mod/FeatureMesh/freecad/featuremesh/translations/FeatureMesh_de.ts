@@ -1677,6 +1677,10 @@
       <translation>{object:text} hat keine Eigenschaft {name:text}{near:messages}</translation>
     </message>
     <message>
+      <source>{object:text} is being edited; close its panel first</source>
+      <translation>{object:text} wird gerade bearbeitet; zuerst dessen Fenster schließen</translation>
+    </message>
+    <message>
       <source>{object:text} is no live result</source>
       <translation>{object:text} ist kein mitlaufendes Ergebnis</translation>
     </message>
