@@ -58,6 +58,16 @@ class Parts(unittest.TestCase):
                 self.assertRaisesRegex(UserError, "cannot write run.log: Permission denied"):
             study_object.go_on(study)
 
+    def test_the_range_of_an_angle_is_one_that_freecad_takes(self):
+        cylinder = self.document.addObject("Part::Cylinder", "Cylinder")
+        for angle, wanted in ((360, (324, 360)), (340, (306, 360)), (90, (81, 99))):
+            cylinder.Angle = angle
+            self.document.recompute()
+            study = api.add_study(cylinder)
+            found, = [dimension for dimension in study_object.dimensions_of(study) if dimension.name == "Angle"]
+            self.assertEqual(found.usual_range(), wanted)
+            api.set_parameters(self.document, ["Cylinder.Angle=%g" % wanted[1]])
+
     def test_no_recompute(self):
         self.refused("Box has no shape yet; recompute the document first", self.document.addObject("Part::Box", "Box"))
         self.document.recompute()

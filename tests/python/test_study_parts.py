@@ -13,6 +13,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from study_tests import ROOT
@@ -248,6 +249,21 @@ class Answers(unittest.TestCase):
         noise = surface.fit(points, np.random.default_rng(4).normal(size=40))
         self.assertGreater(noise.relative_error, 0.8)   # an honest word about what cannot be predicted
         self.assertIsNone(surface.fit(points[:3], x[:3]))
+
+    def test_numbers_below_a_plot_do_not_run_into_one_another(self):
+        data = self.data()
+        data.limits = [(0.009026, 0.01052), (-0.01052, -0.009026)]
+        for inches in (5.0, 8.7):   # narrower and wider than in the page, as windows are
+            figure = Figure()
+            plots.scatter(figure, data, [parse_response("mass")])
+            figure.set_size_inches(inches, 2.4)
+            figure.tight_layout()
+            FigureCanvasAgg(figure).draw()
+            for axes in figure.axes:
+                labels = [label for label in axes.get_xticklabels() if label.get_text()]
+                boxes = [label.get_window_extent() for label in labels]
+                self.assertGreater(len(boxes), 1)
+                self.assertTrue(all(left.x1 < right.x0 for left, right in zip(boxes, boxes[1:])), [label.get_text() for label in labels])
 
     def data(self):
         with tempfile.TemporaryDirectory() as folder:

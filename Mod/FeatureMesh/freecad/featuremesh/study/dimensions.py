@@ -9,6 +9,7 @@ from ..properties import DIMENSIONS
 
 _KINDS = ("App::PropertyLength", "App::PropertyDistance", "App::PropertyAngle", "App::PropertyQuantityConstraint", "App::PropertyIntegerConstraint")
 _SHARE = 0.1   # of a dimension, by which it is varied where the user says nothing
+_ALL_ROUND = 360.0   # degrees
 
 
 @dataclass
@@ -25,10 +26,11 @@ class Dimension:
         return "%s.%s" % (self.owner.Name, self.name)
 
     def usual_range(self):
-        """(lowest, highest) that are proposed: a tenth up and down, of a number of things one."""
+        """(lowest, highest) that are proposed: a tenth up and down, of a number of things one, and of an angle no more than all round."""
         if isinstance(self.value, int):
             return max(1, self.value - 1), self.value + 1
-        return tuple(sorted(float("%.3g" % (self.value * factor)) for factor in (1 - _SHARE, 1 + _SHARE)))
+        low, high = sorted(float("%.3g" % (self.value * factor)) for factor in (1 - _SHARE, 1 + _SHARE))
+        return low, min(high, _ALL_ROUND) if self.unit == "deg" and low < _ALL_ROUND else high
 
 
 def of_part(part):

@@ -32,6 +32,8 @@ def scatter(figure, data, responses, say=english):
         for column, name in enumerate(data.names):
             plot, (low, high) = axes[row][column], data.limits[column]
             plot.scatter(low + (data.points[:, column] + 1) / 2 * (high - low), data.values(response.name), s=14, color=_BLUE, picker=5)
+            plot.xaxis.set_major_locator(MaxNLocator(3))   # numbers may be as long as 0.00925
+            plot.tick_params(axis="x", labelsize=8)
             plot.set_xlabel(name)
             if column == 0:
                 plot.set_ylabel(_in_lines(say(response.title), _LETTERS_HIGH))
