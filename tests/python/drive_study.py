@@ -63,6 +63,7 @@ def check_only_looked_at(document):
     for label, ticked in (("", False), ("Tip", False), ("", True)):
         click_button_of("FeatureMesh_Study")
         shown = panel("StudyPanel")
+        assert not document.HasPendingTransaction   # what is edited meanwhile is a step of its own
         if label:
             document.openTransaction("Label")
             document.Fillet.Label = label

@@ -27,9 +27,8 @@ class Command(MeshCommand):
         part = selected_part(document)
         with undo_step(document, self.title):
             study = api.add_study(part)
-            panel = StudyPanel(study, is_new=True)
+            Gui.Control.showDialog(StudyPanel(study, is_new=True))   # within: else FreeCAD ends the step with the panel, and what is edited meanwhile is in it
         recording.made(study, api.add_study, part)
-        Gui.Control.showDialog(panel)
 
 
 def _chosen_study(document):
