@@ -83,6 +83,7 @@ OrderedModel::OrderedModel(const StaticsModel& given)
              given.tet_materials,
              in_order(given.loads, order_),
              in_order(given.is_held, order_),
-             in_order(given.given, order_)} {}
+             in_order(given.given, order_)},
+      around_(tets_of_nodes(mesh_)) {}
 
 }  // namespace featuremesh

@@ -7,6 +7,7 @@
 
 #include "mesh/mesh.h"
 #include "statics/model.h"
+#include "statics/stiffness.h"
 
 namespace featuremesh {
 
@@ -22,6 +23,7 @@ class OrderedModel {
     OrderedModel& operator=(const OrderedModel&) = delete;
 
     const StaticsModel& model() const { return model_; }
+    const TetsOfNodes& around() const { return around_; }
 
     /// Values by node, some for each, in the order of the model that was given.
     template <class Value>
@@ -37,6 +39,7 @@ class OrderedModel {
     std::vector<std::int32_t> order_;
     Mesh mesh_;
     StaticsModel model_;
+    TetsOfNodes around_;
 };
 
 }  // namespace featuremesh

@@ -7,9 +7,10 @@
 #include "core/errors.h"
 #include "core/messages.h"
 #include "statics/coarse_level.h"
+#include "statics/earlier_nodes.h"
 #include "statics/new_nodes.h"
-#include "statics/node_order.h"
 #include "statics/rigid_balance.h"
+#include "statics/same_rows.h"
 
 namespace featuremesh {
 
@@ -42,12 +43,6 @@ double most_new_nodes(std::size_t all) {
     return std::min(most_new_share * double(all), most_new_root * std::sqrt(double(all)));
 }
 
-char held_bits(const StaticsModel& model, std::size_t node) {
-    char bits = 0;
-    for (std::size_t c = 0; c < 3; ++c) bits = char(bits | (model.is_held[3 * node + c] ? 1 << c : 0));
-    return bits;
-}
-
 bool are_same(const std::vector<Material>& a, const std::vector<Material>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Material& x, const Material& y) {
         return x.young == y.young && x.poisson == y.poisson;
@@ -77,8 +72,6 @@ double scale_of(std::span<const double> displacements, std::span<const double> r
     return std::max(std::sqrt(std::max(0.0, product(displacements, resisting))), least_scale * at_rest);
 }
 
-const auto by_number = [](const auto& state, Number number) { return state.number < number; };
-
 }  // namespace
 
 void check(const StaticsModel& model) {
@@ -103,18 +96,19 @@ StaticsSolution StaticsSolver::solve(const StaticsModel& model, RunContext& cont
     check(model);
     if (!solver_) solver_ = make_linear_solver();
     solver_->use_threads(context.threads);
-    const OrderedModel ordered(model);
-    StaticsSolution solution = solve_ordered(ordered.model(), context);
-    solution.displacements = ordered.as_given(solution.displacements);
-    solution.reactions = ordered.as_given(solution.reactions);
-    solution.stresses = ordered.as_given(solution.stresses);
+    const auto ordered = std::make_shared<const OrderedModel>(model);
+    StaticsSolution solution = solve_ordered(ordered, context);
+    solution.displacements = ordered->as_given(solution.displacements);
+    solution.reactions = ordered->as_given(solution.reactions);
+    solution.stresses = ordered->as_given(solution.stresses);
     return solution;
 }
 
-StaticsSolution StaticsSolver::solve_ordered(const StaticsModel& model, RunContext& context) {
-    const TetsOfNodes around = tets_of_nodes(model.mesh);
+StaticsSolution StaticsSolver::solve_ordered(const Ordered& ordered, RunContext& context) {
+    const StaticsModel& model = ordered->model();
+    const TetsOfNodes& around = ordered->around();
     StaticsSolution solution;
-    solution.kept_preconditioner = prepare(model, around, context);
+    solution.kept_preconditioner = prepare(ordered, context);
     Resistance resistance{std::vector<double>(model.given.size(), 0.0), {}};
     {
         RunContext::Step step(context, "solve");
@@ -123,7 +117,7 @@ StaticsSolution StaticsSolver::solve_ordered(const StaticsModel& model, RunConte
         const std::vector<double> unbalanced = residual_of(model, resistance.forces);
         if (norm(unbalanced) > 0) {
             const Start start = start_from_last(model, unbalanced, solution, context);
-            balance(model, around, unbalanced, start, solution, resistance, context);
+            balance(ordered, unbalanced, start, solution, resistance, context);
         }
     }
     RunContext::Step step(context, "stresses");
@@ -137,15 +131,15 @@ StaticsSolution StaticsSolver::solve_ordered(const StaticsModel& model, RunConte
         product(resisting, solution.displacements) / 2 + product(residual_of(model, resisting), solution.displacements);
     solution.stresses = nodal_stresses(model, resistance.inside, around, context);
     solution.discretisation_error = discretisation_error(model, resistance.inside, solution.stresses, context);
-    remember(model, solution);
+    last_ = {model.mesh.node_numbers, solution.displacements};
     return solution;
 }
 
 /// Iterates, with better and better preconditioners, until what is left of the unbalanced forces is within the
 /// tolerance. `resistance` is that to the displacements, before and after.
-void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
-                            const Start& start, StaticsSolution& solution, Resistance& resistance,
-                            RunContext& context) {
+void StaticsSolver::balance(const Ordered& ordered, std::span<const double> unbalanced, const Start& start,
+                            StaticsSolution& solution, Resistance& resistance, RunContext& context) {
+    const StaticsModel& model = ordered->model();
     enum { carried, aggregated, linear_factor, final } by = solution.kept_preconditioner ? carried : aggregated;
     double whole = start.least_energy_norm;
     int spent = 0;  // iterations with the present preconditioner
@@ -170,7 +164,7 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
                                            ? move_by(model, residual, aim, solution.displacements, context)
                                            : LinearSolver::Solved{0, false};
         resistance = {};  // two at a time would take twice the memory
-        resistance = resistance_to(solution.displacements, model, around, context);
+        resistance = resistance_to(solution.displacements, model, ordered->around(), context);
         residual = residual_of(model, resistance.forces);
         is_of_elements = true;
         solution.iterations += done;
@@ -182,7 +176,7 @@ void StaticsSolver::balance(const StaticsModel& model, const TetsOfNodes& around
         spent = 0;
         if (by == carried) {
             setup_ = {};
-            solution.kept_preconditioner = prepare(model, around, context);
+            solution.kept_preconditioner = prepare(ordered, context);
             by = aggregated;
         } else {
             by = by == aggregated && model.mesh.order == 2 ? linear_factor : final;
@@ -222,25 +216,27 @@ double StaticsSolver::whole_energy_norm(std::span<const double> unbalanced) {
 }
 
 /// Gives the solver the model's matrix. Returns whether the earlier preconditioner serves it.
-bool StaticsSolver::prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context) {
+bool StaticsSolver::prepare(const Ordered& ordered, RunContext& context) {
+    const StaticsModel& model = ordered->model();
+    const TetsOfNodes& around = ordered->around();
     std::vector<std::int32_t> origin = origins(model);
     const auto fresh = std::count(origin.begin(), origin.end(), -1);
     if (double(fresh) <= most_new_nodes(origin.size())) {
-        carry_over(model, around, std::move(origin), context);
+        carry_over(ordered, std::move(origin), context);
         return true;
     }
     BlockMatrix matrix = [&] {
         RunContext::Step step(context, "assemble");
-        const SameRows same = assembled_.rows_for(model, around, context);
+        const SameRows same = same_rows_of(*ordered, context);
         const EarlierRows earlier{solver_->matrix(), same};
         return assemble_stiffness(model, around, context, &earlier);
     }();
-    assembled_ = {};  // until the solver has the matrix
+    assembled_.reset();  // until the solver has the matrix
     RunContext::Step step(context, "setup");
     std::optional<CoarseLevel> coarse;
     if (model.mesh.order == 2) coarse = coarse_level(model, around, context);
     solver_->set_up(std::move(matrix), model.mesh.points, std::move(coarse));
-    assembled_ = AssembledModel(model, around);
+    assembled_ = ordered;
     setup_ = {};
     setup_.materials = model.materials;
     remember_nodes(model);
@@ -253,23 +249,28 @@ bool StaticsSolver::goes_by_corners(const StaticsModel& model) const {
 }
 
 void StaticsSolver::remember_nodes(const StaticsModel& model) {
-    const std::size_t count = goes_by_corners(model) ? model.mesh.corner_count : model.mesh.node_count();
-    setup_.nodes.clear();
-    for (std::size_t node = 0; node < count; ++node)
-        setup_.nodes.push_back({model.mesh.node_numbers[node], std::int32_t(node), {}, held_bits(model, node)});
-    std::sort(setup_.nodes.begin(), setup_.nodes.end(),
-              [](const NodeState& a, const NodeState& b) { return a.number < b.number; });
+    const auto count = std::ptrdiff_t(goes_by_corners(model) ? model.mesh.corner_count : model.mesh.node_count());
+    setup_.nodes.assign(model.mesh.node_numbers.begin(), model.mesh.node_numbers.begin() + count);
+    setup_.is_held.assign(model.is_held.begin(), model.is_held.begin() + 3 * count);
+}
+
+/// Which rows of the model's matrix the solver's has.
+SameRows StaticsSolver::same_rows_of(const OrderedModel& ordered, RunContext& context) const {
+    if (assembled_)
+        return same_rows(ordered.model(), ordered.around(), assembled_->model(), assembled_->around(), context);
+    return {std::vector<std::int32_t>(ordered.model().mesh.node_count(), -1), {}};
 }
 
 /// Changes the solver's matrices in place and keeps its preconditioner.
-void StaticsSolver::carry_over(const StaticsModel& model, const TetsOfNodes& around, std::vector<std::int32_t> origin,
-                               RunContext& context) {
+void StaticsSolver::carry_over(const Ordered& ordered, std::vector<std::int32_t> origin, RunContext& context) {
+    const StaticsModel& model = ordered->model();
+    const TetsOfNodes& around = ordered->around();
     LinearSolver::Matrices given;
     SameRows same;
     {
         RunContext::Step step(context, "assemble");
-        same = assembled_.rows_for(model, around, context);
-        assembled_ = {};  // until the solver has the next matrices
+        same = same_rows_of(*ordered, context);
+        assembled_.reset();  // until the solver has the next matrices
         given = solver_->give_matrices();
         given.finest = changed_stiffness(std::move(given.finest), same, model, around, context);
     }
@@ -277,20 +278,17 @@ void StaticsSolver::carry_over(const StaticsModel& model, const TetsOfNodes& aro
     std::optional<CoarseLevel> coarse;
     if (goes_by_corners(model)) coarse = coarse_level(model, around, context, std::move(given.coarse), &same);
     solver_->carry_over(std::move(given.finest), std::move(coarse), std::move(origin));
-    assembled_ = AssembledModel(model, around);
+    assembled_ = ordered;
 }
 
 /// By node that the preconditioner knows that of the last set-up, -1 where it was not there or was held otherwise; all
 /// -1 when nothing can be kept.
 std::vector<std::int32_t> StaticsSolver::origins(const StaticsModel& model) const {
-    std::vector<std::int32_t> origin(goes_by_corners(model) ? model.mesh.corner_count : model.mesh.node_count(), -1);
-    if (!are_same(setup_.materials, model.materials)) return origin;
-    for (std::size_t node = 0; node < origin.size(); ++node) {
-        const Number number = model.mesh.node_numbers[node];
-        const auto at = std::lower_bound(setup_.nodes.begin(), setup_.nodes.end(), number, by_number);
-        if (at != setup_.nodes.end() && at->number == number && at->held == held_bits(model, node))
-            origin[node] = at->node;
-    }
+    const std::span<const Number> numbers = model.mesh.node_numbers;
+    const std::size_t count = goes_by_corners(model) ? model.mesh.corner_count : numbers.size();
+    if (!are_same(setup_.materials, model.materials)) return std::vector<std::int32_t>(count, -1);
+    std::vector<std::int32_t> origin = earlier_nodes(numbers.first(count), setup_.nodes);
+    leave_alike_held(origin, model.is_held, setup_.is_held);
     return origin;
 }
 
@@ -301,15 +299,14 @@ StaticsSolver::Start StaticsSolver::start_from_last(const StaticsModel& model, c
     const std::size_t count = model.mesh.node_count();
     std::vector<std::int32_t> fresh;
     std::vector<double> moved(3 * count, 0.0);
-    for (std::size_t node = 0; node < count; ++node) {
-        const Number number = model.mesh.node_numbers[node];
-        const auto at = std::lower_bound(last_.begin(), last_.end(), number, by_number);
-        if (at == last_.end() || at->number != number)
+    const std::vector<std::int32_t> earlier = earlier_nodes(model.mesh.node_numbers, last_.nodes);
+    for (std::size_t node = 0; node < count; ++node)
+        if (earlier[node] < 0)
             fresh.push_back(std::int32_t(node));
         else
             for (std::size_t i = 3 * node, c = 0; c < 3; ++i, ++c)
-                if (!model.is_held[i]) moved[i] = at->displacement[int(c)] - model.given[i];
-    }
+                if (!model.is_held[i])
+                    moved[i] = last_.displacements[3 * std::size_t(earlier[node]) + c] - model.given[i];
     if (double(fresh.size()) > most_fresh_share * double(count)) return {unbalanced, 0};
     move_with_kept(model, solver_->matrix(), fresh, moved);
     const std::vector<std::int32_t> balanced =
@@ -344,21 +341,13 @@ StaticsSolver::Start StaticsSolver::start_at(std::vector<double>& moved, const s
 
 void StaticsSolver::start_from(std::span<const Number> numbers, std::span<const double> displacements) {
     if (displacements.size() != 3 * numbers.size()) throw InputError(say<Code::model_misfits>());
-    if (!last_.empty()) return;
+    if (!last_.nodes.empty()) return;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const double* u = displacements.data() + 3 * i;
-        if (std::isfinite(u[0] + u[1] + u[2])) last_.push_back({numbers[i], std::int32_t(i), {u[0], u[1], u[2]}, 0});
+        const std::span<const double> u = displacements.subspan(3 * i, 3);
+        if (!std::isfinite(u[0] + u[1] + u[2])) continue;
+        last_.nodes.push_back(numbers[i]);
+        last_.displacements.insert(last_.displacements.end(), u.begin(), u.end());
     }
-    std::sort(last_.begin(), last_.end(), [](const NodeState& a, const NodeState& b) { return a.number < b.number; });
-}
-
-void StaticsSolver::remember(const StaticsModel& model, const StaticsSolution& solution) {
-    last_.clear();
-    for (std::size_t node = 0; node < model.mesh.node_count(); ++node) {
-        const double* u = solution.displacements.data() + 3 * node;
-        last_.push_back({model.mesh.node_numbers[node], std::int32_t(node), {u[0], u[1], u[2]}, 0});
-    }
-    std::sort(last_.begin(), last_.end(), [](const NodeState& a, const NodeState& b) { return a.number < b.number; });
 }
 
 }  // namespace featuremesh

@@ -12,7 +12,7 @@
 #include "mesh/mesh.h"
 #include "statics/linear_solver.h"
 #include "statics/model.h"
-#include "statics/same_rows.h"
+#include "statics/node_order.h"
 #include "statics/stiffness.h"
 #include "statics/stresses.h"
 
@@ -60,14 +60,11 @@ class StaticsSolver {
     void forget() { *this = StaticsSolver(); }
 
   private:
-    struct NodeState {
-        Number number = -1;
-        std::int32_t node = -1;
-        Vec3 displacement;
-        char held = 0;  ///< a bit per component
-    };
+    using Ordered = std::shared_ptr<const OrderedModel>;
+
     struct Setup {
-        std::vector<NodeState> nodes;  ///< those that it knows, by ascending number
+        std::vector<Number> nodes;  ///< the numbers of those that it knows
+        std::vector<char> is_held;  ///< by component of theirs
         std::vector<Material> materials;
         PreconditionedBy by = PreconditionedBy::aggregation;
         int iterations = 20;  ///< of the first solution with it; until one is found a guess
@@ -79,28 +76,30 @@ class StaticsSolver {
         double least_energy_norm;      ///< of what balances all of them; 0 where nothing is known
     };
 
-    StaticsSolution solve_ordered(const StaticsModel& model, RunContext& context);
+    StaticsSolution solve_ordered(const Ordered& ordered, RunContext& context);
     std::vector<std::int32_t> origins(const StaticsModel& model) const;
     bool goes_by_corners(const StaticsModel& model) const;
     void remember_nodes(const StaticsModel& model);
     void put_factor(PreconditionedBy wanted, const StaticsModel& model, RunContext& context);
-    bool prepare(const StaticsModel& model, const TetsOfNodes& around, RunContext& context);
-    void carry_over(const StaticsModel& model, const TetsOfNodes& around, std::vector<std::int32_t> origin,
-                    RunContext& context);
-    void balance(const StaticsModel& model, const TetsOfNodes& around, std::span<const double> unbalanced,
-                 const Start& start, StaticsSolution& solution, Resistance& resistance, RunContext& context);
+    bool prepare(const Ordered& ordered, RunContext& context);
+    void carry_over(const Ordered& ordered, std::vector<std::int32_t> origin, RunContext& context);
+    SameRows same_rows_of(const OrderedModel& ordered, RunContext& context) const;
+    void balance(const Ordered& ordered, std::span<const double> unbalanced, const Start& start,
+                 StaticsSolution& solution, Resistance& resistance, RunContext& context);
     LinearSolver::Solved move_by(const StaticsModel& model, std::span<const double> residual,
                                  const LinearSolver::Aim& aim, std::vector<double>& displacements, RunContext& context);
     double whole_energy_norm(std::span<const double> unbalanced);
     Start start_at(std::vector<double>& moved, const std::vector<double>& unbalanced, RunContext& context) const;
     Start start_from_last(const StaticsModel& model, const std::vector<double>& unbalanced, StaticsSolution& solution,
                           RunContext& context) const;
-    void remember(const StaticsModel& model, const StaticsSolution& solution);
 
     std::unique_ptr<LinearSolver> solver_;
-    AssembledModel assembled_;     ///< of its matrix
-    Setup setup_;                  ///< where the preconditioner is from
-    std::vector<NodeState> last_;  ///< the last solution, by ascending number
+    Ordered assembled_;  ///< what its matrix is assembled from
+    Setup setup_;        ///< where the preconditioner is from
+    struct {
+        std::vector<Number> nodes;  ///< their numbers
+        std::vector<double> displacements;
+    } last_;  ///< the last solution
 };
 
 }  // namespace featuremesh

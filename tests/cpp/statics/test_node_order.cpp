@@ -4,6 +4,7 @@
 
 #include "catch.h"
 #include "held_box.h"
+#include "statics/earlier_nodes.h"
 #include "statics/node_order.h"
 
 using namespace featuremesh;
@@ -95,4 +96,19 @@ TEST_CASE("nodes that an edit keeps keep their order among one another") {
     CHECK(kept(after).size() > 100);
     CHECK(kept(after).size() < before.points.size());
     CHECK(kept(after) == kept(before));
+}
+
+TEST_CASE(
+    "nodes are found by their numbers, near one another or far apart, unless others of their components are held") {
+    for (const Number step : {Number(1), Number(1000)}) {
+        const std::vector<Number> before{7 * step, 3 * step, 9 * step, -2 * step},
+            now{9 * step, 8 * step, 7 * step, 3 * step, 10 * step};
+        std::vector<std::int32_t> earlier = earlier_nodes(now, before);
+        CHECK(earlier == std::vector<std::int32_t>{2, -1, 0, 1, -1});
+        const std::vector<char> was_held{0, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0},
+            is_held{0, 0, 0, 1, 1, 1, 0, 0, 1, 1, 0, 1, 0, 0, 0};
+        leave_alike_held(earlier, is_held, was_held);
+        CHECK(earlier == std::vector<std::int32_t>{2, -1, 0, -1, -1});
+    }
+    CHECK(earlier_nodes(std::vector<Number>{1, 2}, {}) == std::vector<std::int32_t>{-1, -1});
 }
