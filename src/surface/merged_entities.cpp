@@ -129,6 +129,9 @@ std::vector<std::vector<std::pair<double, VertexId>>> find_vertices_on(const Bre
             continue;
         const CurveSamples samples(BRepAdaptor_Curve(brep.edge(EdgeId(e))), tolerance);
         const Box box = samples.box();
+        // A loose vertex is not where its edge's curve ends.
+        const std::array<Vec3, 4> ends_at{brep.point_of(ends[0]), brep.point_of(ends[1]), samples.points.front(),
+                                          samples.points.back()};
         const auto is_outside = [&](const Vec3& p) {
             return p.y < box.low.y - tolerance || p.y > box.high.y + tolerance || p.z < box.low.z - tolerance ||
                    p.z > box.high.z + tolerance;
@@ -141,9 +144,8 @@ std::vector<std::vector<std::pair<double, VertexId>>> find_vertices_on(const Bre
                 !samples.may_hold(p, tolerance) || !share(bodies[vertex.index()], bodies[ends[0].index()]))
                 continue;
             const OnEdge nearest = projector.nearest(EdgeId(e), p);
-            if (nearest.distance > tolerance || distance(nearest.point, brep.point_of(ends[0])) <= 2 * tolerance ||
-                distance(nearest.point, brep.point_of(ends[1])) <= 2 * tolerance)
-                continue;
+            const auto is_near = [&](const Vec3& end) { return distance(nearest.point, end) <= 2 * tolerance; };
+            if (nearest.distance > tolerance || std::any_of(ends_at.begin(), ends_at.end(), is_near)) continue;
             found[e].emplace_back(nearest.t, vertex);
         }
         std::sort(found[e].begin(), found[e].end());

@@ -293,6 +293,17 @@ TEST_CASE("an edge goes through the vertices that lie on it, and slivers beside 
     CHECK(euler_characteristic(mesh) == 2);
 }
 
+TEST_CASE("where the curve of an edge ends is none of its inside, though its vertex lies elsewhere") {
+    const TopoDS_Shape columns = touching_columns();
+    const Brep tight(columns);
+    const auto corner = [&](std::size_t v) { return tight.point_of(VertexId(v)) == Vec3{10, 10, 0}; };
+    std::size_t loose = 0;
+    while (!corner(loose)) ++loose;
+    BRep_Builder().UpdateVertex(tight.vertex(VertexId(loose)), gp_Pnt(10.3, 9.7, 0), 0.5);
+    const MergedEntities merged{Brep(columns)};
+    for (const auto& on : merged.vertices_on) CHECK(on.empty());
+}
+
 TEST_CASE("a border that goes there and back again is none: a slit is closed, a spike has no triangles") {
     const TopoDS_Shape slit = prism({{0, 0}, {30, 0}, {30, 20}, {15, 20}, {15, 8}, {15, 20}, {0, 20}}, 10);
     const Mesh closed = mesh_surface(Brep(slit), 3).mesh;
