@@ -217,8 +217,10 @@ class MeshObject(MeshedPlate):
         setattr(self.mesh, versions.part_property(self.mesh), self.body)
         api.update_mesh(self.mesh)
         self.document.getObject("Plate").Length = 0
-        with self.assertRaisesRegex(UserError, "Plate"):
-            api.recompute(self.document)
+        self.document.recompute()   # FreeCAD finds the error, and leaves the mesh as it was
+        for _ in range(2):
+            with self.assertRaisesRegex(UserError, "Plate"):
+                api.recompute(self.document)
 
     def test_volume_of_the_mesh(self):
         self.mesh.Order = "2nd"
