@@ -5,7 +5,9 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <tuple>
+#include <utility>
 
 #include "brep/solid_probe.h"
 #include "core/geometry.h"
@@ -26,8 +28,8 @@ class PartnerFinder {
           new_borders_(pair.new_model.faces().size()) {}
 
     /// Finds the new edges for each old edge. Edges of touching solids lie on one another, so there may be several:
-    /// first those with the most faces at the old edge as neighbours, then those that overlap it most and go beyond it
-    /// least.
+    /// first those of the same solid, then those with the most faces at the old edge as neighbours, then those that
+    /// overlap it most and go beyond it least.
     void find_edges(CarriedRegion& region) const {
         std::vector<std::vector<EdgeId>> new_edges_on(match_.curves.size());
         for (std::size_t e = 0; e < match_.new_edges.size(); ++e)
@@ -37,16 +39,17 @@ class PartnerFinder {
         region.new_edges_of.assign(match_.old_edges.size(), {});
         for (std::size_t e = 0; e < match_.old_edges.size(); ++e) {
             if (match_.old_edges[e].curve < 0) continue;
-            std::vector<std::tuple<int, double, EdgeId>> found;
+            std::vector<std::tuple<bool, int, double, EdgeId>> found;
             for (const EdgeId candidate : new_edges_on[std::size_t(match_.old_edges[e].curve)]) {
                 const Stretch &was = match_.old_edges[e], &is = match_.new_edges[candidate.index()];
                 const double common = overlap(was, is);
                 if (common > 0)
-                    found.emplace_back(-faces_in_common(EdgeId(e), candidate, region),
+                    found.emplace_back(are_of_other_solids(faces_at(EdgeId(e), false), faces_at(candidate, true)),
+                                       -faces_in_common(EdgeId(e), candidate, region),
                                        -common / (was.last - was.first + is.last - is.first - common), candidate);
             }
             std::sort(found.begin(), found.end());
-            for (const auto& [faces, share, id] : found) region.new_edges_of[e].push_back(id);
+            for (const auto& [is_other, faces, share, id] : found) region.new_edges_of[e].push_back(id);
             if (!found.empty()) region.new_edge_of[e] = std::get<EdgeId>(found[0]);
         }
     }
@@ -71,20 +74,28 @@ class PartnerFinder {
         }
     }
 
-    void find_faces(CarriedRegion& region) const {
-        region.new_face_of.assign(match_.group_of_old_face.size(), FaceId());
-        region.new_faces_of.assign(match_.group_of_old_face.size(), {});
+    /// Those of the same solid first, then those that have most of their border in common.
+    void find_faces(CarriedRegion& region) {
+        std::vector<std::vector<std::pair<double, FaceId>>> candidates(match_.group_of_old_face.size());
         for (const SurfaceGroup& group : match_.groups)
             for (const FaceId f : group.in_domain ? group.old_faces : std::vector<FaceId>{}) {
-                std::vector<std::pair<double, FaceId>> found;
                 const bool alone = group.is_unchanged() && group.old_faces.size() == 1 && group.new_faces.size() == 1;
                 for (const FaceId candidate : group.new_faces)
                     if (const double share = alone ? 1.0 : overlap(f, candidate); share > 0)
-                        found.emplace_back(-share, candidate);
-                std::sort(found.begin(), found.end());
-                for (const auto& [share, id] : found) region.new_faces_of[f.index()].push_back(id);
-                if (!found.empty()) region.new_face_of[f.index()] = found[0].second;
+                        candidates[f.index()].emplace_back(-share, candidate);
             }
+        for (auto& found : candidates) std::sort(found.begin(), found.end());
+        find_solids(candidates);
+        region.new_face_of.assign(candidates.size(), FaceId());
+        region.new_faces_of.assign(candidates.size(), {});
+        for (std::size_t f = 0; f < candidates.size(); ++f) {
+            const FaceId old_face(f);
+            std::stable_partition(candidates[f].begin(), candidates[f].end(), [&](const auto& found) {
+                return !are_of_other_solids({&old_face, 1}, {&found.second, 1});
+            });
+            for (const auto& [share, id] : candidates[f]) region.new_faces_of[f].push_back(id);
+            if (!candidates[f].empty()) region.new_face_of[f] = candidates[f][0].second;
+        }
     }
 
     /// Whether they have a border in common or one reaches into the other.
@@ -119,11 +130,48 @@ class PartnerFinder {
         }
     };
 
+    /// Which new solid each old one became: the one that has most of its faces, each but once. Where solids coincide,
+    /// the one that is counted alike.
+    void find_solids(const std::vector<std::vector<std::pair<double, FaceId>>>& candidates) {
+        const Brep &old_brep = pair_.old_model.brep(), &new_brep = pair_.new_model.brep();
+        if (old_brep.solid_count() < 2 || new_brep.solid_count() < 2) return;
+        std::map<std::pair<SolidId, SolidId>, int> votes;
+        for (std::size_t f = 0; f < candidates.size(); ++f)
+            for (const auto& [share, face] : candidates[f])
+                for (const SolidId was : old_brep.solids_beside(FaceId(f)))
+                    for (const SolidId is : new_brep.solids_beside(face))
+                        if (was.is_valid() && is.is_valid()) ++votes[{was, is}];
+        std::vector<std::tuple<int, bool, SolidId, SolidId>> ranked;
+        for (const auto& [pair, count] : votes)
+            ranked.emplace_back(-count, pair.first != pair.second, pair.first, pair.second);
+        std::sort(ranked.begin(), ranked.end());
+        std::vector<char> is_taken(new_brep.solid_count(), 0);
+        new_solid_of_.assign(old_brep.solid_count(), SolidId());
+        for (const auto& [count, differs, was, is] : ranked)
+            if (!new_solid_of_[was.index()].is_valid() && !std::exchange(is_taken[is.index()], 1))
+                new_solid_of_[was.index()] = is;
+    }
+
+    std::span<const FaceId> faces_at(EdgeId edge, bool is_new) const {
+        return (is_new ? pair_.new_model : pair_.old_model).brep().faces_of(edge);
+    }
+
+    /// Whether none of the new faces bounds what a solid at the old ones became.
+    bool are_of_other_solids(std::span<const FaceId> old_faces, std::span<const FaceId> new_faces) const {
+        if (new_solid_of_.empty()) return false;
+        for (const FaceId was : old_faces)
+            for (const SolidId solid : pair_.old_model.brep().solids_beside(was))
+                for (const FaceId is : new_faces)
+                    for (const SolidId other : pair_.new_model.brep().solids_beside(is))
+                        if (solid.is_valid() && other.is_valid() && new_solid_of_[solid.index()] == other) return false;
+        return true;
+    }
+
     /// How many faces at the old edge have a partner at the new one.
     int faces_in_common(EdgeId old_edge, EdgeId new_edge, const CarriedRegion& region) const {
-        const auto at_new = pair_.new_model.brep().faces_of(new_edge);
+        const auto at_new = faces_at(new_edge, true);
         int count = 0;
-        for (const FaceId f : pair_.old_model.brep().faces_of(old_edge)) {
+        for (const FaceId f : faces_at(old_edge, false)) {
             const std::vector<FaceId>& partners = region.new_faces_of[f.index()];
             count += std::any_of(partners.begin(), partners.end(), [&](FaceId partner) {
                 return std::find(at_new.begin(), at_new.end(), partner) != at_new.end();
@@ -230,12 +278,13 @@ class PartnerFinder {
     const BoundaryPair& pair_;
     const BoundaryMatch& match_;
     mutable std::vector<std::optional<std::vector<Border>>> old_borders_, new_borders_;  // those asked for
+    std::vector<SolidId> new_solid_of_;  // by old solid; empty where there is but one
 };
 
 }  // namespace
 
 void find_partners(const BoundaryPair& pair, const BoundaryMatch& match, CarriedRegion& region) {
-    const PartnerFinder finder(pair, match);
+    PartnerFinder finder(pair, match);
     finder.find_faces(region);
     finder.find_edges(region);
     finder.find_vertices(region);

@@ -230,6 +230,31 @@ TEST_CASE("where solids overlap each keeps the tets that it had") {
     }
 }
 
+TEST_CASE("solids with faces and edges in one place keep their own") {
+    const auto coinciding = [](double hole, bool is_first) {
+        PartDocument document;
+        document.box("Block", {0, 0, 0}, {40, 30, 10})
+            .cylinder("Hole", {10, 15, -1}, hole, 12)
+            .cut("A", "Block", "Hole");
+        document.box("B", {0, 0, 0}, {40, 30, 10});
+        const std::string one = is_first ? "A" : "B", other = is_first ? "B" : "A";
+        return document
+            .add("Part", "Part::Compound", together(document.shape(one), document.shape(other)),
+                 {{"Links", one, ""}, {"Links", other, ""}})
+            .finish();
+    };
+    for (const bool is_first : {true, false}) {  // the solid that changes
+        const auto first = meshed(coinciding(3, is_first), options_of(2.5));
+        const auto second = updated(*first.part_mesh, coinciding(4, is_first), options_of(2.5));
+        const PartMesh& now = *second.part_mesh;
+        CHECK(second.report.fallbacks.empty());
+        CHECK(second.report.kept_nodes_share > 0.6);
+        for (std::size_t t = 0; t < now.mesh.tets.size(); ++t)
+            if (now.tet_origin[t] >= 0)
+                REQUIRE(now.mesh.tet_solids[t] == first.part_mesh->mesh.tet_solids[std::size_t(now.tet_origin[t])]);
+    }
+}
+
 TEST_CASE("a solid that moves as a whole takes its mesh along, though it lies on one that changes") {
     for (const int order : {1, 2}) {
         const auto first = meshed(stacked_plates(6), options_of(2.5, order));
