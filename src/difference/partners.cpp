@@ -29,7 +29,7 @@ class PartnerFinder {
 
     /// Finds the new edges for each old edge. Edges of touching solids lie on one another, so there may be several:
     /// first those of the same solid, then those with the most faces at the old edge as neighbours, then those that
-    /// overlap it most and go beyond it least.
+    /// overlap it most and go beyond it least. What is another old solid's is none.
     void find_edges(CarriedRegion& region) const {
         std::vector<std::vector<EdgeId>> new_edges_on(match_.curves.size());
         for (std::size_t e = 0; e < match_.new_edges.size(); ++e)
@@ -39,17 +39,18 @@ class PartnerFinder {
         region.new_edges_of.assign(match_.old_edges.size(), {});
         for (std::size_t e = 0; e < match_.old_edges.size(); ++e) {
             if (match_.old_edges[e].curve < 0) continue;
-            std::vector<std::tuple<bool, int, double, EdgeId>> found;
+            std::vector<std::tuple<Kinship, int, double, EdgeId>> found;
             for (const EdgeId candidate : new_edges_on[std::size_t(match_.old_edges[e].curve)]) {
                 const Stretch &was = match_.old_edges[e], &is = match_.new_edges[candidate.index()];
                 const double common = overlap(was, is);
-                if (common > 0)
-                    found.emplace_back(are_of_other_solids(faces_at(EdgeId(e), false), faces_at(candidate, true)),
-                                       -faces_in_common(EdgeId(e), candidate, region),
-                                       -common / (was.last - was.first + is.last - is.first - common), candidate);
+                if (common == 0) continue;
+                const Kinship kinship = kinship_of(faces_at(EdgeId(e), false), faces_at(candidate, true));
+                if (kinship == Kinship::none) continue;
+                found.emplace_back(kinship, -faces_in_common(EdgeId(e), candidate, region),
+                                   -common / (was.last - was.first + is.last - is.first - common), candidate);
             }
             std::sort(found.begin(), found.end());
-            for (const auto& [is_other, faces, share, id] : found) region.new_edges_of[e].push_back(id);
+            for (const auto& [kinship, faces, share, id] : found) region.new_edges_of[e].push_back(id);
             if (!found.empty()) region.new_edge_of[e] = std::get<EdgeId>(found[0]);
         }
     }
@@ -90,9 +91,10 @@ class PartnerFinder {
         region.new_faces_of.assign(candidates.size(), {});
         for (std::size_t f = 0; f < candidates.size(); ++f) {
             const FaceId old_face(f);
-            std::stable_partition(candidates[f].begin(), candidates[f].end(), [&](const auto& found) {
-                return !are_of_other_solids({&old_face, 1}, {&found.second, 1});
-            });
+            const auto kinship = [&](const auto& found) { return kinship_of({&old_face, 1}, {&found.second, 1}); };
+            std::erase_if(candidates[f], [&](const auto& found) { return kinship(found) == Kinship::none; });
+            std::stable_partition(candidates[f].begin(), candidates[f].end(),
+                                  [&](const auto& found) { return kinship(found) == Kinship::own; });
             for (const auto& [share, id] : candidates[f]) region.new_faces_of[f].push_back(id);
             if (!candidates[f].empty()) region.new_face_of[f] = candidates[f][0].second;
         }
@@ -145,10 +147,10 @@ class PartnerFinder {
         for (const auto& [pair, count] : votes)
             ranked.emplace_back(-count, pair.first != pair.second, pair.first, pair.second);
         std::sort(ranked.begin(), ranked.end());
-        std::vector<char> is_taken(new_brep.solid_count(), 0);
+        is_taken_.assign(new_brep.solid_count(), 0);
         new_solid_of_.assign(old_brep.solid_count(), SolidId());
         for (const auto& [count, differs, was, is] : ranked)
-            if (!new_solid_of_[was.index()].is_valid() && !std::exchange(is_taken[is.index()], 1))
+            if (!new_solid_of_[was.index()].is_valid() && !std::exchange(is_taken_[is.index()], 1))
                 new_solid_of_[was.index()] = is;
     }
 
@@ -156,15 +158,23 @@ class PartnerFinder {
         return (is_new ? pair_.new_model : pair_.old_model).brep().faces_of(edge);
     }
 
-    /// Whether none of the new faces bounds what a solid at the old ones became.
-    bool are_of_other_solids(std::span<const FaceId> old_faces, std::span<const FaceId> new_faces) const {
-        if (new_solid_of_.empty()) return false;
+    enum class Kinship { own, possible, none };
+
+    /// Whether new faces bound what a solid at the old ones became, or what no old solid or one that became nothing may
+    /// have become.
+    Kinship kinship_of(std::span<const FaceId> old_faces, std::span<const FaceId> new_faces) const {
+        if (new_solid_of_.empty()) return Kinship::possible;
+        bool is_of_another = false;
         for (const FaceId was : old_faces)
             for (const SolidId solid : pair_.old_model.brep().solids_beside(was))
                 for (const FaceId is : new_faces)
-                    for (const SolidId other : pair_.new_model.brep().solids_beside(is))
-                        if (solid.is_valid() && other.is_valid() && new_solid_of_[solid.index()] == other) return false;
-        return true;
+                    for (const SolidId other : pair_.new_model.brep().solids_beside(is)) {
+                        if (!solid.is_valid() || !other.is_valid()) continue;
+                        const SolidId now = new_solid_of_[solid.index()];
+                        if (now == other) return Kinship::own;
+                        is_of_another = is_of_another || (now.is_valid() && is_taken_[other.index()]);
+                    }
+        return is_of_another ? Kinship::none : Kinship::possible;
     }
 
     /// How many faces at the old edge have a partner at the new one.
@@ -279,6 +289,7 @@ class PartnerFinder {
     const BoundaryMatch& match_;
     mutable std::vector<std::optional<std::vector<Border>>> old_borders_, new_borders_;  // those asked for
     std::vector<SolidId> new_solid_of_;  // by old solid; empty where there is but one
+    std::vector<char> is_taken_;         // by new solid, whether it is one of these
 };
 
 }  // namespace
