@@ -2,6 +2,7 @@
 """A study by hand, from the bracket to its plots: ticks, ranges, Run, rows that open a case, Stop, Go on. Run by test_window.py with the bracket."""
 import hashlib
 import os
+import shutil
 import sys
 import tempfile
 from pathlib import Path
@@ -265,6 +266,36 @@ def check_folder(study):
     study.Folder = before
 
 
+def check_copied_folder(document, study):
+    """A copy of the project's folder has its own cases, also while the first one is there; a document that was saved elsewhere alone has those it had."""
+    from freecad.featuremesh.study import study_object
+    with tempfile.TemporaryDirectory() as folder:
+        copied = shutil.copytree(os.path.dirname(document.FileName), os.path.join(folder, "copied project"))
+        alone = shutil.copy(os.path.join(copied, os.path.basename(document.FileName)), os.path.join(folder, "alone.FCStd"))
+        other = FreeCAD.openDocument(alone)
+        assert study_object.folder_of(other.getObject(study.Name)) == study.Folder
+        FreeCAD.closeDocument(other.Name)
+        other = FreeCAD.openDocument(os.path.join(copied, os.path.basename(document.FileName)))
+        spin()
+        of_copy = other.getObject(study.Name)
+        of_copy.ViewObject.doubleClicked()
+        spin(1)
+        shown = panel("StudyPanel")
+        assert shown.status.text().startswith("16 of 16 cases done"), shown.status.text()
+        shown.cases.setValue(1)
+        assert shown.go_on_button.text() == "Add cases" and shown.go_on_button.isVisible()
+        click(shown.go_on_button)
+        wait_for(lambda: has_ended(of_copy), LONG)
+        shown.refresh()
+        assert shown.status.text() == "17 of 17 cases done", shown.status.text()
+        picture("study_of_a_copy")
+        click_in_panel("Close")
+        assert len(cases_of(study)) == 16
+        FreeCAD.closeDocument(other.Name)
+    FreeCAD.setActiveDocument(document.Name)
+    spin()
+
+
 def check_bounds_of_a_script(study):
     """They have more digits than the panel shows, and stay what they are when something else is changed."""
     before = study.Parameters
@@ -361,6 +392,8 @@ def drive():
     check_edited_sketch(document, results)
     check_report(study, results)
     check_folder(study)
+    document.save()
+    check_copied_folder(document, study)
     check_stop(check_settings(document, study), study)
 
 

@@ -25,7 +25,7 @@ from freecad.featuremesh.study import (  # noqa: E402
 from freecad.featuremesh.study.classic_designs import box_behnken, central_composite  # noqa: E402
 from freecad.featuremesh.study.database import Database  # noqa: E402
 from freecad.featuremesh.study.expressions import Expression  # noqa: E402
-from freecad.featuremesh.study.folder import StudyFolder  # noqa: E402
+from freecad.featuremesh.study.folder import StudyFolder, is_same_study  # noqa: E402
 from freecad.featuremesh.study.response_words import KINDS, WORDS, parse_list, parse_response  # noqa: E402
 
 FULL_DISK = """
@@ -497,6 +497,43 @@ class Keeping(unittest.TestCase):
             with self.assertRaisesRegex(UserError, "cannot write .*running.lock: Is a directory"):
                 StudyFolder(folder).lock()
             self.assertEqual(Path(path).read_bytes(), before)
+
+    def test_cases_that_are_only_in_the_log_are_read_where_nothing_can_be_written(self):
+        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as left:
+            path = os.path.join(folder, "study.sqlite")
+            database = Database(path, new=True)
+            database.add_cases([({"x": 1.5}, None), ({"x": 2.5}, None)], "test")
+            for name in ("study.sqlite", "study.sqlite-wal"):   # what a crash leaves
+                shutil.copy(os.path.join(folder, name), left)
+            database.close()
+            before = {name: Path(left, name).read_bytes() for name in os.listdir(left)}
+            copies = set(Path(tempfile.gettempdir()).glob("featuremesh-*"))
+            with unittest.mock.patch.object(os, "access", return_value=False):   # nothing is closed to root
+                database = Database(os.path.join(left, "study.sqlite"))
+                self.assertEqual([case.parameters for case in database.cases()], [{"x": 1.5}, {"x": 2.5}])
+                with self.assertRaisesRegex(UserError, "study.sqlite cannot be written"):
+                    database.add_cases([({"x": 3.5}, None)], "test")
+                database.close()
+            self.assertEqual({name: Path(left, name).read_bytes() for name in os.listdir(left)}, before)
+            self.assertEqual(set(Path(tempfile.gettempdir()).glob("featuremesh-*")) - copies, set())
+
+    def test_a_folder_knows_its_copy_and_the_document_in_that(self):
+        with tempfile.TemporaryDirectory() as place:
+            folders = [os.path.join(place, name) for name in ("first", "other")]
+            for folder, text in zip(folders, ("a part", "other")):
+                os.mkdir(folder)
+                for name in ("part.FCStd", "base.FCStd"):
+                    Path(folder, name).write_text(text, encoding="utf-8")
+                asked = study("lhs", "Plate.Length=8:12")
+                asked.document = os.path.join(folder, "part.FCStd")
+                StudyFolder(folder, new=True).create(asked, {}, lambda made: None)
+            copied = os.path.join(place, "copied")
+            shutil.copytree(folders[0], copied)
+            self.assertEqual([is_same_study(copied, folder) for folder in folders], [True, False])
+            self.assertFalse(is_same_study(copied, os.path.join(place, "gone")))
+            self.assertEqual(StudyFolder(copied).study().document, os.path.join(copied, "part.FCStd"))
+            os.unlink(os.path.join(copied, "part.FCStd"))
+            self.assertEqual(StudyFolder(copied).study().document, os.path.join(folders[0], "part.FCStd"))
 
     def test_the_same_parameters_are_one_case(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -3,7 +3,9 @@
 
 import json
 import os
+import shutil
 import sqlite3
+import tempfile
 import urllib.parse
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -22,6 +24,7 @@ create table cases (
   maker text not null default '');
 create unique index cases_by_parameters on cases (parameters);
 """
+_COPY = "study.sqlite"
 _JSON = ("parameters", "responses", "seconds", "mesh", "hashes")
 
 
@@ -51,7 +54,8 @@ class Database:
         """Opens it, or makes it; in a folder that cannot be written only to be read. Throws UserError for what is no study's file or a newer program's."""
         self._path = path
         is_writable = os.access(os.path.dirname(os.path.abspath(path)), os.W_OK)
-        self._link = sqlite3.connect("file:%s%s" % (urllib.parse.quote(path), "" if is_writable else "?immutable=1"), isolation_level=None, timeout=30.0, uri=True)
+        self._copy = None if is_writable else _copy_with_log(path)
+        self._link = _link_to_copy(self._copy.name) if self._copy else _link_to(path, "" if is_writable else "?immutable=1")
         try:
             with _disk_errors(path):
                 if is_writable:
@@ -71,6 +75,8 @@ class Database:
 
     def close(self):
         self._link.close()
+        if self._copy:
+            self._copy.cleanup()
 
     def value(self, key, default=None):
         """Something kept about the whole study."""
@@ -149,6 +155,32 @@ class Database:
                 if self._link.in_transaction:
                     self._link.execute("rollback")
                 raise
+
+
+def _link_to(path, words):
+    return sqlite3.connect("file:%s%s" % (urllib.parse.quote(path), words), isolation_level=None, timeout=30.0, uri=True)
+
+
+def _copy_with_log(path):
+    """A temporary folder with a copy of a database and its log, whose cases SQLite reads only where it may write; None where the log holds none. Throws
+    UserError."""
+    log = path + "-wal"
+    try:
+        if not os.path.exists(log) or not os.path.getsize(log):
+            return None
+        folder = tempfile.TemporaryDirectory(prefix="featuremesh-")
+        for file, name in ((path, _COPY), (log, _COPY + "-wal")):
+            shutil.copyfile(file, os.path.join(folder.name, name))
+    except OSError as error:
+        raise UserError(said("cannot read {path:text}: {why:messages}", path=path, why=error.strerror)) from error
+    return folder
+
+
+def _link_to_copy(folder):
+    """For reading."""
+    link = _link_to(os.path.join(folder, _COPY), "")
+    link.execute("pragma query_only=true")
+    return link
 
 
 @contextmanager

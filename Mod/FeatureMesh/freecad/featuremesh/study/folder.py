@@ -2,6 +2,7 @@
 """The folder of a study: `study.sqlite` with every case, `base.FCStd` that all cases start from, `cases/0001` ... with their files."""
 
 import fcntl
+import filecmp
 import hashlib
 import json
 import os
@@ -58,7 +59,12 @@ class StudyFolder:
         self.database = Database(self.database_path)
 
     def study(self):
-        return from_plain(self.database.value("study"))
+        """The design.Study; its document, where that is kept in the folder, in the folder as it was moved or copied."""
+        found = from_plain(self.database.value("study"))
+        beside = os.path.join(self.path, os.path.basename(found.document))
+        if beside != self.base_path and os.path.isfile(beside):
+            found.document = beside
+        return found
 
     def facts(self):
         return self.database.value("facts")
@@ -97,6 +103,14 @@ class StudyFolder:
         """Throws UserError when the base document is not the one that the cases before were made from."""
         if not os.path.isfile(self.base_path) or hash_of_file(self.base_path) != self.database.value("base_hash"):
             raise UserError(said("{path:text} is not as the study made it; start the study anew in another folder", path=self.base_path))
+
+
+def is_same_study(folder, other):
+    """Are two folders of one study, one of them a copy? Their cases may differ since."""
+    try:
+        return os.path.samefile(folder, other) or filecmp.cmp(*(os.path.join(path, "base.FCStd") for path in (folder, other)))   # it remembers what it compared
+    except OSError:
+        return False
 
 
 class DocumentWatch:

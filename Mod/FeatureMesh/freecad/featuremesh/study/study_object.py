@@ -12,6 +12,7 @@ from ..proxies import Stateless, add_missing
 from ..reading import describe
 from . import dimensions, study_file, window_run
 from .design import COUNTED, SAMPLINGS, Study, check, parse_parameter, read_toml
+from .folder import is_same_study
 from .response_words import parse_response
 
 translate = FreeCAD.Qt.translate
@@ -148,10 +149,11 @@ def go_on(obj, more=0):
 
 
 def folder_of(obj):
-    """Where the study's cases are: the folder that it was run in, or where that is gone the one of its name beside the document, moved with it. "" before it
-    was run."""
+    """Where the study's cases are: the folder of its name beside the document, where that is the study, moved or copied with the document; else the folder that
+    it was run in. "" before it was run."""
     beside = os.path.join(os.path.dirname(obj.Document.FileName), os.path.basename(obj.Folder))
-    return beside if obj.Folder and not os.path.isdir(obj.Folder) and os.path.isdir(beside) else obj.Folder
+    is_study_there = obj.Folder and os.path.isdir(beside) and (not os.path.isdir(obj.Folder) or is_same_study(beside, obj.Folder))
+    return beside if is_study_there else obj.Folder
 
 
 def _told(obj, run):
