@@ -18,9 +18,9 @@ import FreeCADGui as Gui  # noqa: E402
 import numpy as np  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
-from analyses import held_and_pushed  # noqa: E402
+from analyses import held_and_pushed, quantity  # noqa: E402
 from PySide import QtGui  # noqa: E402
-from window import click, click_button_of, click_in_panel, figures, is_whole, on_the_screen, panel, picture, pixels, report_view, spin, wait_for  # noqa: E402
+from window import click, click_button_of, click_in_panel, figures, is_whole, on_the_screen, panel, picture, pixels, report_view, spin, type_into, wait_for  # noqa: E402
 
 
 @contextlib.contextmanager
@@ -118,6 +118,33 @@ def check_settings(live_panel, live):
     picture("live_cut")
     live_panel.cut.setChecked(False)
     live_panel.top.setValue(0)
+
+
+def check_small_values(document, live_panel, live):
+    """Of displacements near a millionth of a mm the legend has all numbers, and where its colours end can be typed."""
+    from freecad.featuremesh import live_result
+    force = document.Force.Force
+    for newtons in (0.01, 1000):
+        document.Force.Force = quantity(newtons, "N")
+        document.recompute()
+        wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
+        spin()
+        if newtons < 1:
+            live_panel.field.setCurrentIndex(1)
+            spin()
+            picture("live_small")
+            assert live.MaxDisplacement < 2e-5, live.MaxDisplacement
+            labels = [label for _, label in live_panel.legend.placed_labels()]
+            assert len(labels) == 4 and labels[-1] == "0" and "e-" in labels[1], (labels, live_panel.legend.width())
+            assert "drawn 5000000 times" in live_panel.largest.text(), live_panel.largest.text()
+            QtGui.QApplication.setActiveWindow(Gui.getMainWindow())   # there is no window manager
+            live_panel.top.setFocus()
+            spin()
+            type_into(live_panel.top, "0.000002")
+            assert abs(live_panel.view.settings.top - 2e-6) < 1e-12, live_panel.view.settings
+            assert live_panel.legend.labels[-1] == "2e-6 mm", live_panel.legend.labels
+            live_panel.field.setCurrentIndex(0)
+    assert document.Force.Force == force, (force, document.Force.Force)
 
 
 def check_edit(document, live_panel, live):
@@ -541,6 +568,7 @@ def drive():
     assert not old.ViewObject.Visibility
     document.removeObject(old.Name)
     check_settings(shown, live)
+    check_small_values(document, shown, live)
     check_edit(document, shown, live)
     check_load_after_mesh(document, live, mesh)
     check_edits_on_the_way(document, live, mesh)

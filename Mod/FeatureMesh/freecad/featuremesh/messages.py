@@ -162,7 +162,7 @@ def figure(value, digits):
 
 
 def _digits(value, nothing=5e-10):
-    return "%.6g" % (0 if abs(value) < nothing else value)
+    return figure(0 if abs(value) < nothing else value, 6)
 
 
 def _owned_names(value, owners):

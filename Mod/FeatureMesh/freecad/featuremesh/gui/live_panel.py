@@ -2,6 +2,7 @@
 """The panel of a live result: which field is shown and how, the largest value and where it is, and the solution under way."""
 
 import json
+import math
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -23,6 +24,7 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _FIELDS = {"von_mises": QT_TRANSLATE_NOOP("FeatureMesh", "von Mises stress"), "displacement": QT_TRANSLATE_NOOP("FeatureMesh", "displacement")}
 _DECIMALS = 4
 _MARKS, _GAP = 4, 6   # of the legend, and pixels between them at least
+_DIGITS = 3, 2        # of its numbers, and where there is no room for these
 
 
 class LivePanel(ClosesWithObject):
@@ -74,6 +76,8 @@ class LivePanel(ClosesWithObject):
         self.remarks.setText("\n".join(user_words.in_words(line) for line in report.get("warnings", [])) if is_fresh else "")
         mesh = live.Proxy.mesh(live)
         self.ten_nodes.setVisible(mesh is not None and mesh.Order == "1st")
+        if not self.top.hasFocus():   # while it is being typed
+            self._show_top()
         self.legend.show_range(drawn, *self._unit(), is_fresh)
         self.grey.setVisible(is_fresh and bool(self.legend.labels) and not np.isfinite(drawn.values).all())
         self.largest.setText(self._largest_in_words(drawn) if is_fresh else "")
@@ -130,10 +134,11 @@ class LivePanel(ClosesWithObject):
         self._show_top()
 
     def _show_top(self):
-        """Where the colours end, in the user's unit, with the settings of the view."""
+        """Where the colours end, in the user's unit, with the settings of the view; with decimals enough for the values that are drawn."""
         one, unit = self._unit()
+        known = np.abs(np.nan_to_num(self.view.drawn.values)) if self.view.drawn is not None else np.zeros(1)
         self.top.blockSignals(True)
-        self.top.setDecimals(_DECIMALS if one <= 1 else _DECIMALS + 2)
+        self.top.setDecimals(max(_DECIMALS if one <= 1 else _DECIMALS + 2, _decimals_of(known.max(initial=0.0) / one)))
         self.top.setSuffix(" " + unit)
         self.top.setValue(self.view.settings.top / one)
         self.top.blockSignals(False)
@@ -211,6 +216,11 @@ class LivePanel(ClosesWithObject):
             self._later.stop()
 
 
+def _decimals_of(value):
+    """Those that show two digits of it."""
+    return 1 - math.floor(math.log10(value)) if value > 0 else 0
+
+
 class Legend(QtGui.QWidget):
     """The colours with their values."""
 
@@ -218,27 +228,40 @@ class Legend(QtGui.QWidget):
         super().__init__()
         self.setObjectName("legend")
         self.setMinimumHeight(44)
-        self.labels, self._table = [], np.zeros((0, 3))
+        self._choices, self._table = [[]], np.zeros((0, 3))
+
+    @property
+    def labels(self):
+        """The values with all their digits, the last one with its unit."""
+        return self._choices[0]
 
     def show_range(self, drawn, one, unit, is_fresh):
         """In `unit`, of which one is `one` of the field's own."""
-        self.labels, self._table = [], np.zeros((0, 3))
+        self._choices, self._table = [[]], np.zeros((0, 3))
         if drawn is not None and np.isfinite(drawn.values).any():
             self._table = drawn.table
-            self.labels = [figure(value / one, 3) for value in np.linspace(*drawn.limits, _MARKS)]
-            self.labels[-1] += " " + unit
-            if not is_fresh:
-                self.labels = [translate("FeatureMesh", "out of date")]
+            values = np.linspace(*drawn.limits, _MARKS) / one
+            self._choices = [_labels(values, digits, unit) for digits in _DIGITS] if is_fresh else [[translate("FeatureMesh", "out of date")]]
         self.update()
 
-    def _placed_labels(self):
-        """(x, label) from the largest down, without those for which there is no room beside it."""
+    def placed_labels(self):
+        """(x, label) from the largest down: at their values where there is room, else side by side or with fewer digits, else without some of them."""
+        for labels in self._choices:
+            for may_move in (False, True):
+                placed = self._placed(labels, may_move)
+                if len(placed) == len(labels):
+                    return placed
+        return self._placed(self.labels, False)
+
+    def _placed(self, labels, may_move):
         placed, end = [], self.width() + _GAP
-        for index in reversed(range(len(self.labels))):
-            room = QtGui.QFontMetrics(self.font()).boundingRect(self.labels[index]).width() + 2
-            place = int((self.width() - room) * index / max(len(self.labels) - 1, 1))
-            if place + room + _GAP <= end:
-                placed.append((place, self.labels[index]))
+        for index in reversed(range(len(labels))):
+            room = QtGui.QFontMetrics(self.font()).boundingRect(labels[index]).width() + 2
+            place = int((self.width() - room) * index / max(len(labels) - 1, 1))
+            if may_move:
+                place = min(place, end - _GAP - room)
+            if 0 <= place <= end - _GAP - room:
+                placed.append((place, labels[index]))
                 end = place
         return placed
 
@@ -249,6 +272,11 @@ class Legend(QtGui.QWidget):
             for place, colour in zip(np.linspace(0, 1, len(self._table)), self._table):
                 colours.setColorAt(place, QtGui.QColor.fromRgbF(*colour))
             painter.fillRect(QtCore.QRectF(0, 2, self.width(), 18), colours)
-            for place, label in self._placed_labels():
+            for place, label in self.placed_labels():
                 painter.drawText(place, 38, label)
         painter.end()
+
+
+def _labels(values, digits, unit):
+    labels = [figure(value, digits).replace("e-0", "e-") for value in values]
+    return [*labels[:-1], "%s %s" % (labels[-1], unit)]
