@@ -174,7 +174,8 @@ class _Run:
 
     def _is_there(self):
         try:
-            return self.live.Document is not None and self.live.Document.getObject(self.live.Name) is self.live
+            document, name = self.live.Document, self.live.Name   # that undo took away has in FreeCAD 1.1 a document, but no name
+            return document is not None and name is not None and document.getObject(name) is self.live
         except (ReferenceError, RuntimeError):   # deleted, perhaps with its document
             return False
 
