@@ -9,6 +9,7 @@ import FreeCADGui as Gui  # noqa: E402
 import numpy as np  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
+from analyses import held_and_pushed  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 from parts import new_document, plate_with_hole  # noqa: E402
 from window import click, click_button_of, click_in_panel, is_whole, panel, picture, pixels, spin, wait_for  # noqa: E402
@@ -268,6 +269,25 @@ def check_right_click(mesh):
         assert seen and not found, (workbench, seen)
 
 
+def check_beside_a_live_result(document, body, mesh):
+    """The panel shows the part to click on, and no result in its place; that is seen again when the panel is closed."""
+    from freecad.featuremesh import api, engine
+    if engine.load().statics_missing():
+        return
+    analysis = held_and_pushed(document, body)
+    analysis.addObject(mesh)
+    live = api.live_result(analysis)
+    live.ViewObject.Proxy.show_alone(live)
+    wait_for(lambda: not mesh.ViewObject.Visibility, 60)   # as soon as there is a result
+    seen = [(obj, obj.ViewObject.Visibility) for obj in (body, mesh, live)]
+    assert seen == [(body, False), (mesh, False), (live, True)], seen
+    open_with((mesh,))
+    assert [obj.ViewObject.Visibility for obj in (body, mesh, live)] == [True, False, False]
+    picture("zone_beside_a_live_result")
+    click_in_panel("Cancel")
+    assert [(obj, obj.ViewObject.Visibility) for obj in (body, mesh, live)] == seen
+
+
 def drive():
     from freecad.featuremesh import api
     document = new_document("Zones")
@@ -289,6 +309,7 @@ def drive():
     check_panel_is_open(document, mesh)
     check_dragged(document, body, mesh)
     check_right_click(mesh)
+    check_beside_a_live_result(document, body, mesh)
     assert FreeCAD.ActiveDocument is document
 
 

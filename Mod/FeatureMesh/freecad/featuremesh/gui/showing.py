@@ -13,9 +13,11 @@ _DRAWN_BY_FEM = ("Fem::FemMeshObject", _POST)   # meshes, those of results too
 
 
 def show_part(part):
-    """Shows the part and hides its meshes. Returns what `restore` needs to take that back."""
+    """Shows the part and hides its meshes, and results in their place. Returns what `restore` needs to take that back."""
     shown = {part: True}
-    shown.update((mesh, False) for mesh in api.meshes_of(part.Document) if versions.part_of(mesh) is part)
+    for mesh in api.meshes_of(part.Document):
+        if versions.part_of(mesh) is part:
+            shown.update((obj, False) for obj in (mesh, *_results_over(mesh)))
     before = [(obj.Document.Name, obj.Name, obj.ViewObject.Visibility) for obj in shown]
     for obj, visible in shown.items():
         obj.ViewObject.Visibility = visible
@@ -47,7 +49,7 @@ def show_elements(mesh):
 
 def what_covers(mesh):
     """What lies where the mesh does: what it is of, other meshes of that, and results."""
-    return [*_meshed(mesh), *(obj for obj in mesh.Document.Objects if _may_cover(obj, mesh))]
+    return [*_meshed(mesh), *_results_over(mesh)]
 
 
 def restore(before):
@@ -171,6 +173,11 @@ def _there(document, names):
 def _is_about(obj, mesh):
     """Has an FEM object to do with the mesh: a load, a support, a material of its analysis, one of its groups or refinements?"""
     return obj in mesh.MeshRegionList or obj in mesh.MeshGroupList or any(obj in analysis.Group for analysis in analyses.holding(mesh))
+
+
+def _results_over(mesh):
+    """And other meshes of what the mesh is of."""
+    return [obj for obj in mesh.Document.Objects if _may_cover(obj, mesh)]
 
 
 def _may_cover(obj, mesh):
