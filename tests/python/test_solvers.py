@@ -69,6 +69,16 @@ class SeveralSolvers(Case):
         with self.assertRaisesRegex(statics.NotUnderstood, "the live solver knows linear statics only, and .* asks for AnalysisType = frequency"):
             statics.solve(self.of_the_box)
 
+    @unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
+    def test_an_analysis_within_it_is_another_one(self):
+        """FreeCAD 1.1 pastes the copy of an analysis into the one that is selected."""
+        alone = statics.solve(self.of_the_box)[1]["responses"]
+        inner = ObjectsFem.makeAnalysis(self.document, "Copied")
+        self.of_the_box.addObject(inner)
+        add_solver(self.document, inner)
+        self.assertEqual(statics.solve(self.of_the_box)[1]["responses"], alone)
+        self.assertEqual(self.both(), (self.first, self.first))
+
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_calculix_says_which_it_took(self):
         other = self.add_one("frequency", first=True)

@@ -87,8 +87,8 @@ def prepared(analysis, mesh, arrays=None):
 
 
 def members_of(analysis):
-    """The members that FreeCAD would write."""
-    return [member for member in analysis.Group if not getattr(member, "Suppressed", False)]
+    """The members that FreeCAD would write; not those of an analysis in it, where FreeCAD 1.1 pastes a copy while it is selected."""
+    return [member for member in analysis.Group if not getattr(member, "Suppressed", False) and not member.isDerivedFrom("Fem::FemAnalysis")]
 
 
 class _Reader:
