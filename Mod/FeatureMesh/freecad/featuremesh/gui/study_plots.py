@@ -22,6 +22,7 @@ class PlotTab(QtGui.QScrollArea):
         self.kind, self.title = kind, translate("FeatureMesh", _TITLES[kind])
         self._pick, self._data, self._drawn = pick, None, None
         self.setWidgetResizable(True)
+        self.viewport().setAutoFillBackground(False)   # a theme colours what is behind it
         self.canvas = None
         self._say(translate("FeatureMesh", "No case is done yet."))
 
@@ -78,6 +79,7 @@ class PlotTab(QtGui.QScrollArea):
         label.setAlignment(QtCore.Qt.AlignCenter)
         self.canvas = None
         self.setWidget(label)
+        label.setAutoFillBackground(False)
 
     def _picked(self, event):
         """A point of the scatter, or a line of the parallel coordinates; both are in the order of the cases."""
