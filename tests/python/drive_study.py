@@ -190,6 +190,39 @@ def check_rows(document, study, results):
     assert document.Fillet.Radius.Value == 3
 
 
+def check_case_that_cannot_be_made(document, results):
+    """It is told why, and nothing in the document is left in error."""
+    case = results._cases[1]
+    radius = case.parameters["Fillet.Radius"]
+    case.parameters["Fillet.Radius"] = 40.0
+    steps = document.UndoCount
+    double_click(results.table.viewport(), results.table.visualItemRect(results.table.item(0, 1)).center())
+    case.parameters["Fillet.Radius"] = radius
+    assert "cannot recompute Fillet" in window.messages[-1], window.messages
+    assert document.Fillet.Radius == 3 and document.UndoCount == steps, document.UndoNames
+    assert not [obj.Name for obj in document.Objects if not obj.isValid() or obj.MustExecute or "Touched" in obj.State], [(obj.Name, obj.State) for obj in document.Objects]
+
+
+def check_theme(study):
+    """What a plot's tab says can be read in a dark theme, which colours texts and what is behind them, but no palette."""
+    from freecad.featuremesh.gui import study_window as windows
+    before, folder = QtGui.QApplication.instance().styleSheet(), study.Folder
+    QtGui.QApplication.instance().setStyleSheet(
+        "QDialog {background-color: #202020} QTabWidget::pane {background-color: #202020; border: 1px solid black} "
+        "QAbstractScrollArea {background-color: transparent} QLabel {color: white}")
+    study.Folder = ""
+    shown = windows.show(study)
+    spin(1)
+    picture("study_dark")
+    label = shown.plots[0].widget()
+    behind = shown.grab().toImage().pixelColor(label.mapTo(shown, QtCore.QPoint(3, 3)))
+    assert label.text() == "No case is done yet." and behind.lightness() < 80, (label.text(), behind.name())
+    shown.close()
+    study.Folder = folder
+    QtGui.QApplication.instance().setStyleSheet(before)
+    spin()
+
+
 def check_sorted(results, cases):
     """A click on a column's title sorts by its numbers, one more the other way round; the selected case stays selected."""
     header, name = results.table.horizontalHeader(), "Fillet.Radius"
@@ -249,12 +282,33 @@ def check_report(study, results):
     results.close()
 
 
+def check_folder_goes(study):
+    """While the study's window is open: it is told, and what is shown stays."""
+    from freecad.featuremesh.gui import study_window as windows
+    results, away = windows.show(study), study.Folder + "-away"
+    spin(1)
+    shutil.move(study.Folder, away)
+    for button in (results.report_button, results.export_button):
+        with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", return_value=(away + ".csv", "CSV (*.csv)")), mock.patch.object(QtGui.QDesktopServices, "openUrl"):
+            click(button)
+        assert window.messages.pop().startswith("the study's folder %s is gone" % study.Folder), window.messages
+    wait_for(lambda: "is gone" in results.note.text(), 20)
+    os.makedirs(study.Folder)
+    Path(study.Folder, "study.sqlite").write_text("no database", encoding="utf-8")
+    wait_for(lambda: "is no study's database" in results.note.text(), 20)
+    assert results.table.rowCount() == 16
+    shutil.rmtree(study.Folder)
+    shutil.move(away, study.Folder)
+    results.close()
+    assert "Traceback" not in report_view(), report_view()
+
+
 def check_folder(study):
     """That of a study that was moved with its document is found beside that; a file in it that is no study's is told of, and the panel can be used."""
     before = study.Folder
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "study.sqlite").write_text("no database", encoding="utf-8")
-        for place, is_there, status in (("/gone/" + os.path.basename(before), True, "16 of 16 cases done"), ("/gone/study", False, "not run yet"),
+        for place, is_there, status in (("/gone/" + os.path.basename(before), True, "16 of 16 cases done"), ("/gone/study", False, "the study's folder /gone/study is gone"),
                                         (folder, False, "is no study's database")):
             study.Folder = place
             study.ViewObject.doubleClicked()
@@ -389,9 +443,12 @@ def drive():
     check_plots(study, results)
     check_rows(document, study, results)
     check_is_left(shown)
+    check_case_that_cannot_be_made(document, results)
     check_edited_sketch(document, results)
     check_report(study, results)
     check_folder(study)
+    check_folder_goes(study)
+    check_theme(study)
     document.save()
     check_copied_folder(document, study)
     check_stop(check_settings(document, study), study)

@@ -72,7 +72,7 @@ class StudyPanel(ClosesWithObject):
         running = run is not None and run.is_running()
         unreadable = ""
         try:
-            done, total, left = window_run.how_far(study_object.folder_of(self.study), run.jobs if run else 1, self._running_since)
+            done, total, left = window_run.how_far(study_object.existing_folder_of(self.study), run.jobs if run else 1, self._running_since)
         except UserError as error:
             (done, total, left), unreadable = (0, 0, None), user_words.in_words(of_error(error))
         self.run_button.setText(translate("FeatureMesh", "Stop") if running else translate("FeatureMesh", "Run"))

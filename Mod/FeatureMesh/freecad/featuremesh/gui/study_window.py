@@ -9,7 +9,7 @@ from PySide import QtCore, QtGui
 
 from .. import api, view_provider
 from ..errors import UserError
-from ..messages import said
+from ..messages import of_error, said
 from ..study import answers, report, response_words, study_object, table
 from ..study.folder import StudyFolder
 from ..user_words import as_shown, figure, in_words
@@ -78,13 +78,18 @@ class StudyWindow(QtGui.QDialog):
         self.refresh()
 
     def refresh(self):
-        """Brings table and plots up to date with the study's database."""
-        path = study_object.folder_of(self.study)
-        if not os.path.exists(os.path.join(path, "study.sqlite")):
-            return
-        folder = StudyFolder(path)
+        """Brings table and plots up to date with the study's database, or says why it cannot be read."""
         try:
-            seen = path, tuple(folder.database.counts().items())
+            path = study_object.existing_folder_of(self.study)
+            if os.path.exists(os.path.join(path, "study.sqlite")):
+                self._take(StudyFolder(path))
+        except UserError as error:
+            self.note.setText(in_words(of_error(error)))
+
+    def _take(self, folder):
+        """What is in it, unless it is shown already; closes it."""
+        try:
+            seen = folder.path, tuple(folder.database.counts().items())
             if seen == self._seen:
                 return
             self._seen = seen
@@ -184,12 +189,17 @@ class StudyWindow(QtGui.QDialog):
         """One step of undo."""
         try:
             self._close_panel()
+        except UserError as error:
+            errors.show(error)
+            return
+        try:
             with undo_step(self._document, title):
                 assignments = [parameter.assignment(values[parameter.name]) for parameter in self._design.parameters]
                 recording.run(study_object.show_values, self.study, assignments)
                 if is_solvable and self.study.Analysis is not None and response_words.needs_solution(self._design.responses):
                     self._show_result()
         except Exception as error:
+            self._document.recompute()   # FreeCAD takes the values back, but not its marks on what it could not make
             errors.show(error, self.study.Part)
 
     def _close_panel(self):
@@ -212,29 +222,29 @@ class StudyWindow(QtGui.QDialog):
 
     def _report(self):
         """Writes the page and opens it."""
-        folder = StudyFolder(study_object.folder_of(self.study))
-        path = os.path.join(folder.path, "report.html")
-        try:
-            report.write(folder, path, say=in_words, as_shown=as_shown)
-        except UserError as error:
-            errors.show(error)
-            return
-        finally:
-            folder.database.close()
-        QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(path))
-        self.note.setText(translate("FeatureMesh", "The report is %s") % path)
+        path = os.path.join(study_object.folder_of(self.study), "report.html")
+        if self._written(lambda folder: report.write(folder, path, say=in_words, as_shown=as_shown)):
+            QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(path))
+            self.note.setText(translate("FeatureMesh", "The report is %s") % path)
 
     def _export(self):
         proposed = os.path.join(study_object.folder_of(self.study), "cases.csv")
         path = ask_for_file(self, translate("FeatureMesh", "Save table"), proposed, "CSV (*.csv);;JSON (*.json)", ("csv", "json"))
         if path is not None:
-            folder = StudyFolder(study_object.folder_of(self.study))
+            self._written(lambda folder: table.write(folder, path))
+
+    def _written(self, write):
+        """Calls it with the study's folder. Did that work? Else it is said why."""
+        try:
+            folder = StudyFolder(study_object.existing_folder_of(self.study))
             try:
-                table.write(folder, path)
-            except UserError as error:
-                errors.show(error)
+                write(folder)
             finally:
                 folder.database.close()
+        except UserError as error:
+            errors.show(error)
+            return False
+        return True
 
     def _end(self):
         self._timer.stop()

@@ -156,6 +156,14 @@ def folder_of(obj):
     return beside if is_study_there else obj.Folder
 
 
+def existing_folder_of(obj):
+    """The same. Throws UserError where the study was run and its folder is gone."""
+    path = folder_of(obj)
+    if path and not os.path.isdir(path):
+        raise UserError(said("the study's folder {path:text} is gone: bring it back, or run the study again", path=path))
+    return path
+
+
 def _told(obj, run):
     for hook in on_run:
         hook(obj, run)

@@ -1417,6 +1417,10 @@
       <translation>der Ordner der Studie {path:text} lässt sich nicht anlegen ({why:text}); das Dokument dort speichern, wo geschrieben werden darf, die Studie liegt daneben</translation>
     </message>
     <message>
+      <source>the study's folder {path:text} is gone: bring it back, or run the study again</source>
+      <translation>den Ordner {path:text} der Studie gibt es nicht mehr: ihn zurückholen oder die Studie neu starten</translation>
+    </message>
+    <message>
       <source>the time limit of a case is at most {most:number} s, not {seconds:number}</source>
       <translation>die Zeitgrenze eines Falls ist höchstens {most:number} s, nicht {seconds:number}</translation>
     </message>
