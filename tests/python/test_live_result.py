@@ -338,6 +338,29 @@ class Live(Case):
         api.solve_live(live)
         self.check_is_fresh(analysis, live)
 
+    def test_undo_beyond_a_result_leaves_what_redo_needs(self):
+        """The window solves outside of any step of undo."""
+        self.document.UndoMode = 1
+        part, analysis = self.held_box(4.0)
+        self.document.openTransaction("Note")
+        analysis.addObject(self.document.addObject("App::TextDocument", "Note"))
+        self.document.commitTransaction()
+        self.document.openTransaction("Live result")
+        live = live_result.add(analysis)
+        self.document.commitTransaction()
+        live.Proxy.solve(live)
+        members = [member.Name for member in analysis.Group]
+        result = live.Result
+        for step in range(2):
+            self.document.undo()
+        self.assertEqual([member.Name for member in analysis.Group if member.Name in ("Note", "Live", result.Name)], [result.Name])
+        for step in range(2):
+            self.document.redo()
+        self.assertEqual(sorted(member.Name for member in analysis.Group), sorted(members))
+        api.solve_live(self.document.Live)
+        self.assertEqual([obj for obj in self.document.Objects if obj.isDerivedFrom("Fem::FemResultObject")], [result])
+        self.check_is_fresh(analysis, self.document.Live)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -13,7 +13,7 @@ from . import hand_over, mesh_object, results
 _TENSOR = (("XX", 0), ("YY", 1), ("ZZ", 2), ("XY", 3), ("YZ", 4), ("XZ", 5))   # FreeCAD's names of the columns
 NODES = "MeshNodes"   # a property of results: the mesh's own numbers of their nodes, row by row, as no edit changes them
 _MASS_FLOW_AND_REST = 8   # figures of FreeCAD's table that are of no concern here: plastic strain, temperature, flow
-_made = set()   # (document's name, object's name) of results and their meshes
+_made = {}   # (document's name, object's name) of results and their meshes: the name of their analysis
 
 
 def timed_show(live, analysis, job, same_mesh):
@@ -34,11 +34,11 @@ def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
     if result is None or result.Mesh is None:
         same_mesh = False
     if result is None:
-        result = _note_made(ObjectsFem.makeResultMechanical(document, name))
+        result = _note_made(ObjectsFem.makeResultMechanical(document, name), analysis)
         analysis.addObject(result)
     if result.Mesh is None:
         left = [obj for obj in document.Objects if not obj.InList and femutils.is_of_type(obj, "Fem::MeshResult")]   # of a result that was deleted
-        result.Mesh = left[0] if left else _note_made(ObjectsFem.makeMeshResult(document, "ResultMesh"))
+        result.Mesh = left[0] if left else _note_made(ObjectsFem.makeMeshResult(document, "ResultMesh"), analysis)
         if result.Mesh.ViewObject is not None:
             result.Mesh.ViewObject.Visibility = False   # FEM's result panel shows it
     if not same_mesh:
@@ -52,15 +52,21 @@ def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
 
 
 def remove_left_over(document):
-    """Undo may give back a result, or the mesh of one, in whose place another one was made meanwhile; what is of no use then is removed."""
-    for kind in ("Fem::FemResultObject", "Fem::FemMeshObject"):   # the meshes of removed results, too
-        for obj in _made_in(document):
-            if not obj.InList and obj.isDerivedFrom(kind):
-                document.removeObject(obj.Name)
+    """Undo may give back a result, or the mesh of one, in whose place another one was made meanwhile; what is of no use then is removed. Any other result goes back
+    into its analysis: redo gives that the members that it had, and FreeCAD crashes where one of them is no more."""
+    for result in [obj for obj in _made_in(document) if not obj.InList and obj.isDerivedFrom("Fem::FemResultObject")]:
+        analysis = document.getObject(_made[document.Name, result.Name])
+        if analysis is not None and any(NODES in member.PropertiesList for member in analysis.Group):
+            document.removeObject(result.Name)
+        elif analysis is not None:
+            analysis.addObject(result)
+    for mesh in _made_in(document):   # of removed results, too
+        if not mesh.InList and mesh.isDerivedFrom("Fem::FemMeshObject"):
+            document.removeObject(mesh.Name)
 
 
-def _note_made(obj):
-    _made.add((obj.Document.Name, obj.Name))
+def _note_made(obj, analysis):
+    _made[obj.Document.Name, obj.Name] = analysis.Name
     return obj
 
 
