@@ -132,6 +132,7 @@ def check_deleted(document, mesh):
 def check_local_size(document, body, mesh):
     """FEM's own refinement of a face and what its panel's OK meshes are one step of undo, too."""
     count, steps = mesh.TetCount, document.UndoCount
+    body.ViewObject.Visibility = False
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(body, "Face1")
     click_button_of("FeatureMesh_AddLocalSize")
@@ -139,6 +140,8 @@ def check_local_size(document, body, mesh):
     click_in_panel("Ok")
     wait_for(lambda: not Gui.Control.activeDialog())
     finer = mesh.TetCount
+    assert mesh.ViewObject.Visibility and not body.ViewObject.Visibility   # as it was before
+    body.ViewObject.Visibility = True
     assert finer > 1.2 * count and document.UndoCount == steps + 1 and not document.HasPendingTransaction, (count, finer, document.UndoNames)
     for command, regions, tets in (("Std_Undo", 0, count), ("Std_Redo", 1, finer), ("Std_Undo", 0, count)):
         Gui.runCommand(command)

@@ -42,5 +42,6 @@ class _Observer:
                     recording.recomputed(obj.Document)
             showing.restore(self._before)
             self._before = []
+            showing.show_unless_seen(obj)
         if obj is not None:
             recording.forget(obj)

@@ -30,12 +30,20 @@ def show_to_click(obj):
     before = []
     for mesh in api.meshes_of(obj.Document):
         for shown in _meshed(mesh)[-1:]:   # of assembled parts what they are in
-            if not shown.ViewObject.Visibility and _is_about(obj, mesh):
-                seen = [live for live in _live_results_of(mesh) if live.ViewObject.Visibility]
+            seen = [live for live in _live_results_of(mesh) if live.ViewObject.Visibility]
+            is_hidden = not shown.ViewObject.Visibility
+            if (is_hidden or seen) and _is_about(obj, mesh):
                 _set_visible([shown], True)
                 _set_visible([mesh, *seen], False)
-                before += [(obj.Document.Name, back.Name, back is not shown) for back in (shown, *(seen or [mesh]))]
+                before += [(obj.Document.Name, back.Name, back is not shown) for back in ([shown] if is_hidden else []) + (seen or [mesh])]
     return before
+
+
+def show_unless_seen(obj):
+    """Shows the mesh that an FEM object belongs to where FEM's panel, which hides meshes and shows parts for its time, has left nothing to see in its place."""
+    for mesh in api.meshes_of(obj.Document):
+        if _is_about(obj, mesh) and not any(there.ViewObject.Visibility for there in (mesh, *what_covers(mesh))):
+            mesh.ViewObject.Visibility = True
 
 
 def show_elements(mesh):
