@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The console session of the README, replayed: every command says what is written there, but for the seconds. Runs in plain Python."""
+"""The console session of the README, replayed: every command says what is written there, but for the seconds. So are the edits that the user's guide
+makes of the example. Runs in plain Python."""
 import re
 import shlex
 import shutil
@@ -49,6 +50,21 @@ class Session(unittest.TestCase):
         said = SECONDS.sub("SECONDS", done.stdout).replace(folder + "/", "")
         for line in lines:
             self.assertRegex(said, pattern(line))
+
+
+class Edits(unittest.TestCase):
+    def test_each_edit_of_the_guide_can_be_made(self):
+        """Those of the bracket, which the guide calls part.FCStd, with a coarse mesh."""
+        guide = (ROOT / "docs" / "user-guide.md").read_text(encoding="utf-8")
+        edits = re.findall(r"^    (\./featuremesh update part\.FCStd .*)$", guide, re.MULTILINE)
+        self.assertGreater(len(edits), 2)
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copyfile(ROOT / "resources" / "examples" / "bracket.FCStd", Path(folder) / "part.FCStd")
+            for command in ["./featuremesh mesh part.FCStd --size 12 --order 1", *edits]:
+                with self.subTest(command=command):
+                    program, *words = shlex.split(command, comments=True)
+                    done = subprocess.run([str(ROOT / program), *words], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+                    self.assertEqual(done.returncode, 0, done.stderr)
 
 
 if __name__ == "__main__":
