@@ -3,6 +3,7 @@
 import contextlib
 import errno
 import os
+import re
 import shlex
 import sys
 import types
@@ -51,7 +52,13 @@ def errors_of_studies():
 
 
 def set_up_to_run(given, live=False):
-    """Installs what the command needs and is missing; the live solver's packages only where that is asked for."""
+    """Installs what the command needs and is missing; the live solver's packages only where that is asked for. Throws UserError where the cases cannot be
+    run as asked for, before anything is made."""
+    for option, count in (("--jobs", given.jobs), ("--slurm", given.slurm)):
+        if count is not None and count < 1:
+            raise UserError(f"{option} {count}: at least one job is needed")
+    if given.scheduler and not re.search(r":\d+$", given.scheduler):
+        raise UserError(f"--scheduler {given.scheduler}: the address of a scheduler is tcp://HOST:PORT, such as tcp://localhost:8786")
     set_up(packages.STUDY_PACKAGES + (packages.SOLVER_PACKAGES if live else ()) + (packages.CLUSTER_PACKAGES if given.scheduler or given.slurm is not None else ())
            + (packages.OPTUNA_PACKAGES if getattr(given, "method", None) == "optuna" else ()))
 
@@ -128,7 +135,8 @@ def add(given):
     with errors_of_studies():
         from freecad.featuremesh.study import planning
         folder = locked_folder(given.folder)
-        print(f"added {planning.extend(folder, given.cases, given.rows and existing_file(given.rows))} cases", flush=True)
+        count = planning.extend(folder, given.cases, given.rows and existing_file(given.rows))
+        print(f"added {count} case{'' if count == 1 else 's'}", flush=True)
         return run_cases(folder, given)
 
 
@@ -230,8 +238,6 @@ def progress_shower(shown):
 
 def jobs_at_once(asked, threads):
     """As many as the processors take, each with its threads."""
-    if asked is not None and asked < 1:
-        raise UserError(f"--jobs {asked}: at least one job is needed")
     fitting = max(1, len(os.sched_getaffinity(0)) // threads)
     if asked is not None and asked > fitting:
         print(f"{asked} jobs of {threads} thread{'s' if threads > 1 else ''} do not fit {len(os.sched_getaffinity(0))} processors; {fitting} run at once",

@@ -275,6 +275,10 @@ class Studies(StudyTest):
                 ((*run, *VARIED, *two, "--threads", "0"), "at least one thread, not 0"),
                 ((*run, *VARIED, *two, "--time-limit", "0"), "the time limit of a case is more than 0 s, not 0"),
                 ((*run, *VARIED, *two, "--memory-limit", "-2"), "the memory limit of a case is more than 0 GB, not -2; leave it out"),
+                ((*run, *VARIED, *two, "--folder", "/proc/there/study"), "/proc/there/study cannot be made a study's folder (No such file or directory); name another"),
+                ((*run, *VARIED, *two, "--folder", "e", "--jobs", "0"), "--jobs 0: at least one job is needed"),
+                ((*run, *VARIED, *two, "--folder", "e", "--scheduler", "there"), "--scheduler there: the address of a scheduler is tcp://HOST:PORT"),
+                (("add", "there", "--cases", "1", "--jobs", "0"), "--jobs 0: at least one job is needed"),
                 ((*run, *VARIED, *two, "--folder", "there"), "holds a study already: go on with `study resume`"),
                 ((*run, *VARIED, *two, "--folder", "part.FCStd"), "cannot be made a study's folder (Not a directory); name another --folder"),
                 ((*run, "--vary", "Plaet.Length=1:2", *two, "--folder", "a"), "the document has no object Plaet; did you mean Plate"),
@@ -297,6 +301,7 @@ class Studies(StudyTest):
                 _, err = self.study(*words, code=2)
                 self.assertIn(message, err)
                 self.assertEqual(len(err.splitlines()), 1, err)
+        self.assertEqual([name for name in "abcde" if (self.folder / name).exists()], [])
 
     def test_a_file_that_names_a_document_that_is_not_there(self):
         self.toml('responses = ["volume"]')
@@ -308,6 +313,7 @@ class Studies(StudyTest):
         (self.folder / "rows.csv").write_text("Plate.Length\nthick\n", encoding="utf-8")
         words = ("run", "part.FCStd", "--vary", "Plate.Length=8:12", "--sampling", "csv", "--rows", "rows.csv", "--responses", "volume", "--folder", "s")
         self.assertIn("line 2: thick is no number for Plate.Length", self.study(*words, code=2)[1])
+        self.assertFalse((self.folder / "s").exists())
         (self.folder / "rows.csv").write_text("Plate.Length\n9\n", encoding="utf-8")
         self.study(*words)
         self.assertEqual(self.states("s"), ["done"])

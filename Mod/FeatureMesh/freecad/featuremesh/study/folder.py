@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The folder of a study: `study.sqlite` with every case, `base.FCStd` that all cases start from, `cases/0001` ... with their files."""
 
+import contextlib
+import errno
 import fcntl
 import filecmp
 import hashlib
 import json
 import os
 import shutil
+from pathlib import Path
 
 from ..errors import UserError
 from ..messages import said
@@ -24,6 +27,7 @@ class StudyFolder:
         self.path = os.path.abspath(path)
         self.database_path = os.path.join(self.path, "study.sqlite")
         self.base_path = os.path.join(self.path, "base.FCStd")
+        self._lock_path = os.path.join(self.path, "running.lock")
         there = os.path.isfile(self.database_path)
         if new and there:
             raise UserError(said("{path:text} holds a study already: go on with `study resume`, extend it with `study add`, or name another --folder",
@@ -36,9 +40,13 @@ class StudyFolder:
         self.database = None if new else Database(self.database_path)
 
     def _make(self):
+        cases = Path(self.path) / "cases"
+        self._made = [folder for folder in (cases, *cases.parents) if not folder.is_dir()]   # the innermost first
         try:
-            os.makedirs(os.path.join(self.path, "cases"), exist_ok=True)
-        except (FileExistsError, NotADirectoryError, PermissionError) as error:
+            cases.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            if error.errno in (errno.ENOSPC, errno.EDQUOT):
+                raise
             raise UserError(said("{path:text} cannot be made a study's folder ({why:text}); name another --folder",
                                  path=self.path, why=error.strerror)) from error
 
@@ -57,6 +65,17 @@ class StudyFolder:
         self.database.close()
         os.replace(temporary, self.database_path)
         self.database = Database(self.database_path)
+
+    def give_up(self):
+        """Leaves the folder as it was where no study came to be in it."""
+        if os.path.isfile(self.database_path):
+            return
+        for path in [self._lock_path, self.base_path, *Path(self.path).glob("study.sqlite.new*")]:
+            with contextlib.suppress(FileNotFoundError):
+                os.unlink(path)
+        for folder in self._made:
+            with contextlib.suppress(OSError):   # somebody else has put something there
+                folder.rmdir()
 
     def study(self):
         """The design.Study; its document, where that is kept in the folder, in the folder as it was moved or copied."""
@@ -82,11 +101,10 @@ class StudyFolder:
 
     def lock(self):
         """Throws UserError while another process runs the study, or where it cannot be written; the lock ends with this process, however it ends."""
-        path = os.path.join(self.path, "running.lock")
         try:
-            stream = open(path, "a+", encoding="utf-8")
+            stream = open(self._lock_path, "a+", encoding="utf-8")
         except OSError as error:
-            raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=error.strerror)) from error
+            raise UserError(said("cannot write {path:text}: {why:messages}", path=self._lock_path, why=error.strerror)) from error
         try:
             fcntl.flock(stream, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
