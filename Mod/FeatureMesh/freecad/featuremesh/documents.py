@@ -39,15 +39,16 @@ def open_document(path):
         raise UserError(said("{path:text} is not a FreeCAD document (or its end is cut off)", path=path))
     try:
         with zipfile.ZipFile(path) as archive:
-            if "Document.xml" not in archive.namelist():
-                raise UserError(said("{path:text} is not a FreeCAD document: it has no Document.xml", path=path))
-            written, damaged = archive.read("Document.xml"), archive.testzip()
+            written = archive.read("Document.xml") if "Document.xml" in archive.namelist() else None
+            damaged = archive.testzip()
     except (zipfile.BadZipFile, OSError, EOFError, ValueError, NotImplementedError) as error:
         raise UserError(said("{path:text} is damaged: {why:messages}", path=path, why=of_error(error))) from error
     except Exception as error:
         if type(error).__name__ == "error" and type(error).__module__ == "zlib":
             raise UserError(said("{path:text} is damaged: {why:messages}", path=path, why=of_error(error))) from error
         raise
+    if written is None:
+        raise UserError(said("{path:text} is not a FreeCAD document: it has no Document.xml", path=path))
     if damaged:
         raise UserError(said("{path:text} is damaged: {member:text} in it cannot be read", path=path, member=damaged))
     stamp = _stamp_of(path)

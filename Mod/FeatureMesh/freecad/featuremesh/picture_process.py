@@ -2,6 +2,7 @@
 """Has a picture drawn by a program of its own, with an interpreter that has VTK and Matplotlib."""
 
 import os
+import re
 import subprocess
 import tempfile
 
@@ -28,7 +29,12 @@ def draw(program, arrays, path):
                 return
             reasons.append((done.stderr.strip().splitlines() or [said("it ended with code {code:count}", code=done.returncode)])[-1])
     why = min(reasons, key=_lacks_a_module, default=said("no Python interpreter was found"))   # of those that could draw, if there is one
-    raise UserError(said("the picture could not be drawn: {why:messages}", why=why))
+    raise UserError(said("the picture could not be drawn: {why:messages}", why=_in_words(why)))
+
+
+def _in_words(reason):
+    """Without the names that Python gives to what is wrong with the file to write."""
+    return re.sub(r"^(\w*Error): (\[Errno \d+\] )?", "", reason) if isinstance(reason, str) and not _lacks_a_module(reason) else reason
 
 
 def _lacks_a_module(reason):

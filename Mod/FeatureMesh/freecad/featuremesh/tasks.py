@@ -224,7 +224,7 @@ def _save(document, task, report):
             with whole_file.written(task["json"]) as stream:
                 json.dump(in_english(report), stream, indent=1, sort_keys=True)
         except OSError as error:
-            raise UserError(said("saved {path:text}, but cannot write the report: {why:messages}", path=out, why=of_error(error))) from error
+            raise UserError(said("saved {path:text}, but cannot write the report: {why:messages}", path=out, why=error.strerror or of_error(error))) from error
     return _shown(out)
 
 
