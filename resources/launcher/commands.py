@@ -27,13 +27,13 @@ DOCUMENT = ".FCStd"   # the ending of its name
 def mesh(given):
     part = existing_file(given.part)
     return finish(task(given, part=part, object=given.object, size=given.size, order=given.order, dimension=given.dimension,
-                       ignore_below=given.ignore_below, threads=given.threads, out=written_document(given.out), json=written_file(given.json)))
+                       ignore_below=given.ignore_below, threads=given.threads, out=written_document(given.out, part), json=written_file(given.json)))
 
 
 def adopt(given):
     part = existing_file(given.part)
     return finish(task(given, part=part, mesh=given.mesh, object=given.object, size=given.size, threads=given.threads,
-                       out=written_document(given.out), json=written_file(given.json)))
+                       out=written_document(given.out, part), json=written_file(given.json)))
 
 
 def update(given):
@@ -41,25 +41,26 @@ def update(given):
     if given.solve:
         set_up(packages.SOLVER_PACKAGES)
     return finish(task(given, part=part, object=given.object, set=given.set, full=given.full, solve=given.solve, threads=given.threads,
-                       out=written_document(given.out), json=written_file(given.json)))
+                       out=written_document(given.out, part), json=written_file(given.json)))
 
 
 def solve(given):
     part = existing_file(given.part)
     set_up(() if given.ccx else packages.SOLVER_PACKAGES)
     return finish(task(given, part=part, analysis=given.analysis, live=given.live, ccx=given.ccx, threads=given.threads,
-                       out=written_document(given.out), json=written_file(given.json)))
+                       out=written_document(given.out, part), json=written_file(given.json)))
 
 
 def renumber(given):
     part = existing_file(given.part)
-    return finish(task(given, part=part, object=given.object, out=written_document(given.out), json=written_file(given.json)))
+    return finish(task(given, part=part, object=given.object, out=written_document(given.out, part), json=written_file(given.json)))
 
 
 def transfer(given):
     part = existing_file(given.part)
-    return finish(task(given, part=part, new=existing_file(given.new) if given.new else None, result=given.result, object=given.object,
-                       out=written_document(given.out), json=written_file(given.json)))
+    new = existing_file(given.new) if given.new else None
+    return finish(task(given, part=part, new=new, result=given.result, object=given.object, out=written_document(given.out, new or part),
+                       json=written_file(given.json)))
 
 
 def diff(given):
@@ -193,9 +194,9 @@ def bench(given):
 def gui(given):
     # The first word must be no option: Debian's FreeCAD lets Python read those before it. Of "-" it makes nothing.
     first = existing_file(given.part) if given.part else "-"
-    set_up(packages.WINDOW_PACKAGES)
     if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         raise UserError("there is no screen (neither DISPLAY nor WAYLAND_DISPLAY is set)")
+    set_up(packages.WINDOW_PACKAGES)
     program = os.environ.get("FREECAD", "freecad")
     code = subprocess.run([program, first, f"--module-path={WORKBENCH}"], env=window_environment()).returncode
     if code:
@@ -277,9 +278,13 @@ def existing_folder(name):
     return str(path.resolve())
 
 
-def written_document(name):
-    """The absolute path of a document to write, whose folder must exist."""
-    if name is not None and not is_document(name):
+def written_document(name, read):
+    """The absolute path of a document to write, whose folder must exist; None where the document that is read is to be replaced."""
+    if name is None:
+        if not may_be_written(Path(read)):
+            raise UserError(f"{read}: nothing can be written to its folder; name another document with --out")
+        return None
+    if not is_document(name):
         raise UserError(f"{name}: the name of a document ends in {DOCUMENT}")
     return path_to_write(name)
 
@@ -309,4 +314,11 @@ def in_a_folder(name):
     path = Path(name).expanduser().absolute()
     if not path.parent.is_dir():
         raise UserError(f"{name}: the folder {path.parent} does not exist")
+    if not may_be_written(path):
+        raise UserError(f"{name}: nothing can be written to the folder {path.parent}; name another one")
     return path
+
+
+def may_be_written(path):
+    """Can the file (or folder) be written, or made in its folder? Asked before the work is done, not after."""
+    return os.access(path, os.W_OK) or os.access(path.parent, os.W_OK)

@@ -7,9 +7,12 @@ import math
 def millimetres(text):
     """A number, with or without its unit."""
     try:
-        return float(text.strip().removesuffix("mm"))
+        length = float(text.strip().removesuffix("mm"))
     except ValueError:
-        raise argparse.ArgumentTypeError("'%s' is no length in mm, such as 2.5" % text) from None
+        length = math.inf
+    if math.isinf(length):
+        raise argparse.ArgumentTypeError("'%s' is no length in mm, such as 2.5" % text)
+    return length
 
 
 def ignored_length(text):

@@ -33,7 +33,7 @@ import setup_log  # noqa: E402
 import study_commands  # noqa: E402
 import tidy  # noqa: E402
 from arguments import parse  # noqa: E402
-from layout import RELEASE, Failure, Unavailable  # noqa: E402
+from layout import RELEASE, Failure, Unavailable, UserError  # noqa: E402
 
 
 def run(*words):
@@ -70,9 +70,27 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(parse(["mesh", "part.FCStd", "--size", text, "--ignore-below", text]).size, 2.5)
             self.assertEqual(parse(["mesh", "part.FCStd", "--ignore-below", text]).ignore_below, 2.5)
 
+    def test_what_cannot_be_written_is_refused_before_the_work(self):
+        with mock.patch.object(commands.os, "access", lambda path, mode: False), mock.patch.object(commands, "set_up", self.fail):
+            for words, message in ((("mesh", __file__), "test_launcher.py: nothing can be written to its folder; name another document with --out"),
+                                   (("transfer", __file__), "nothing can be written to its folder"),
+                                   (("mesh", __file__, "--out", "part.FCStd"), "part.FCStd: nothing can be written to the folder %s; name another one" % os.getcwd()),
+                                   (("export", __file__, "--format", "inp", "part.inp"), "part.inp: nothing can be written to the folder"),
+                                   (("demo", "--out", "shown"), "shown: nothing can be written to the folder")):
+                given = parse(list(words))
+                with self.subTest(words=words), self.assertRaisesRegex(UserError, message):
+                    given.run(given)
+
+    def test_no_window_is_installed_where_there_is_no_screen(self):
+        given = parse(["gui"])
+        with mock.patch.dict(os.environ), mock.patch.object(commands, "set_up", self.fail):
+            for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+                os.environ.pop(name, None)
+            self.assertRaisesRegex(UserError, "there is no screen", given.run, given)
+
     def test_wrong_use_is_the_users_error_in_one_line(self):
         for words in ((), ("mesh",), ("mesh", "no_such.FCStd"), ("mesh", __file__, "--size", "0"), ("mesh", __file__, "--size", "-1"),
-                      ("mesh", __file__, "--size", "nan"), ("mesh", __file__, "--order", "3"), ("mesh", __file__, "--threads", "0"),
+                      ("mesh", __file__, "--size", "nan"), ("mesh", __file__, "--size", "inf"), ("mesh", __file__, "--order", "3"), ("mesh", __file__, "--threads", "0"),
                       ("update", "no_such.FCStd", "--set", "A.B=1"), ("diff", __file__), ("export", __file__, "out.vtu"),
                       ("mesh", __file__, "--out", "no/such/folder/out.FCStd"), ("mesh", __file__, "--out", str(ROOT)), ("mesh", __file__, "--json", "."),
                       ("mesh", str(ROOT)), ("mesh", __file__, "--size", "2,5"), ("study", "run", __file__, "--size", "2 m"), ("demo", "--out", __file__),
