@@ -6,5 +6,5 @@ print("| hole 6 at x | nodes kept | displacement | stress |\n|---|---|---|---|")
 for x in (110, 108, 106, 104, 102):
     api.set_parameters(document, ["HoleSketch.Hole6X=%g" % x])
     api.recompute(document)
-    found = api.solve(document.Analysis).figures
-    print("| %g mm | %d %% | %.4f mm | %.1f MPa |" % (x, mesh.KeptNodes, found["displacement"], found["stress"]))
+    found = api.solve_analysis(document.Analysis)["responses"]
+    print("| %g mm | %d %% | %.4f mm | %.1f MPa |" % (x, mesh.KeptNodes, found["max_displacement_mm"], found["max_mises_mpa"]))

@@ -419,7 +419,8 @@ def solve_live(live):
 
 
 def add_study(part, analysis=None):
-    """Adds a study of the part to its document: what it varies and asks for are properties. `study.study_object.start(study)` runs it.
+    """Adds a study of the part to its document: what it varies and asks for are properties. `start` of
+    `freecad.featuremesh.study.study_object` runs it.
 
     `analysis` is by default the one that has the part's mesh, else the only one. Throws UserError.
     """
