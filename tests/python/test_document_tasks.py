@@ -284,7 +284,7 @@ class Tasks(unittest.TestCase):
         self.refused("did you mean Plate", command="update", part=self.part, set=["Plat.Length=12"])
         self.refused("did you mean Length", command="update", part=self.part, set=["Plate.Lengt=12"])
         self.refused("OBJECT.PROPERTY=VALUE", command="update", part=self.part, set=["Plate"])
-        self.refused("no object Nothing", command="mesh", part=self.part, object="Nothing")
+        self.refused("no object Nothing; its parts are Body", command="mesh", part=self.part, object="Nothing")
 
     def test_edit_that_cannot_be_recomputed(self):
         self.mesh()

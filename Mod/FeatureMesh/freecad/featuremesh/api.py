@@ -478,7 +478,7 @@ def find_part(document, name=None):
     """What is to be meshed: the object of that name, else the only solid that no other one uses; for a container the object that shows its parts, for a
     link the one that shows that. Throws UserError."""
     refuse_no_document(document)
-    named = reading.find_object(document, name) if name else None
+    named = reading.find_object(document, name, reading.final_parts(document)) if name else None
     part = named if named is not None and assembled.is_container(named) else reading.find_meshable(document, name)
     return assembled.of(part) if assembled.is_to_be_shown(part) else part
 

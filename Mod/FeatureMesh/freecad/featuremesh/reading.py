@@ -129,8 +129,8 @@ def _no_shape(part):
     return said("{part:text} has no shape to mesh", part=describe(part))
 
 
-def find_object(document, name):
-    """The object of that name, else the only one with that label. Throws UserError with names that come close."""
+def find_object(document, name, meant=()):
+    """The object of that name, else the only one with that label. Throws UserError with names that come close, or else those of what may be meant."""
     found = document.getObject(name)
     if found is not None:
         return found
@@ -140,7 +140,10 @@ def find_object(document, name):
     if labelled:
         raise UserError(said("{count:count} objects have the label {label:text}, use a name: {names:text}",
                              count=len(labelled), label=name, names=", ".join(obj.Name for obj in labelled)))
-    raise UserError(said("the document has no object {name:text}{near:messages}", name=name, near=close_names(name, [o.Name for o in document.Objects])))
+    near = close_names(name, [o.Name for o in document.Objects])
+    if not near and meant:
+        near = said("; its parts are {names:text}", names=", ".join(map(describe, meant)))
+    raise UserError(said("the document has no object {name:text}{near:messages}", name=name, near=near))
 
 
 def describe(obj):

@@ -79,7 +79,7 @@ def find_result(document, name=None):
     if name:
         results = [obj for obj in results if name in (obj.Name, obj.Label)]
     if not results:
-        raise UserError(said("the document {document:text} has no result{name:text} with values per node",
+        raise UserError(said("the document {document:text} has no result{name:text} with values per node; solve first",
                              document=document.Label, name=" " + name if name else ""))
     if len(results) > 1:
         raise UserError(said("the document has several results, name one with --result: {results:text}", results=", ".join(describe(obj) for obj in results)))

@@ -387,6 +387,10 @@
       <translation>; war {names:messages} gemeint?</translation>
     </message>
     <message>
+      <source>; its parts are {names:text}</source>
+      <translation>; seine Teile sind {names:text}</translation>
+    </message>
+    <message>
       <source>A part of the mesh has no material. Give every solid one.</source>
       <translation>Ein Teil des Netzes hat keinen Werkstoff. Jedem Volumenkörper einen geben.</translation>
     </message>
@@ -1253,8 +1257,8 @@
       <translation>das Dokument {document:text} hat keine Analyse{name:text}; eine in FreeCADs Arbeitsbereich FEM anlegen</translation>
     </message>
     <message>
-      <source>the document {document:text} has no result{name:text} with values per node</source>
-      <translation>das Dokument {document:text} hat kein Ergebnis{name:text} mit Werten an den Knoten</translation>
+      <source>the document {document:text} has no result{name:text} with values per node; solve first</source>
+      <translation>das Dokument {document:text} hat kein Ergebnis{name:text} mit Werten an den Knoten; zuerst lösen</translation>
     </message>
     <message>
       <source>the goal</source>
