@@ -140,9 +140,7 @@ def find_object(document, name, meant=()):
     if labelled:
         raise UserError(said("{count:count} objects have the label {label:text}, use a name: {names:text}",
                              count=len(labelled), label=name, names=", ".join(obj.Name for obj in labelled)))
-    near = close_names(name, [o.Name for o in document.Objects])
-    if not near and meant:
-        near = said("; its parts are {names:text}", names=", ".join(map(describe, meant)))
+    near = close_names(name, [o.Name for o in document.Objects]) or (said("; its parts are {names:text}", names=", ".join(map(describe, meant))) if meant else "")
     raise UserError(said("the document has no object {name:text}{near:messages}", name=name, near=near))
 
 
