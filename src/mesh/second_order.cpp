@@ -460,6 +460,15 @@ Places take_over_kept_mids(Mesh& mesh, const Mesh& kept, const RunContext& conte
 
 }  // namespace
 
+std::vector<std::array<NodeId, 2>> ends_of_mids(const Mesh& mesh) {
+    std::vector<std::array<NodeId, 2>> ends(mesh.node_count() - mesh.corner_count);
+    if (ends.empty()) return ends;
+    for_each_side(mesh, {}, {}, [&](int dim, std::size_t element, int side) {
+        ends[mid_of(mesh, dim, element, side).index() - mesh.corner_count] = side_of(mesh, dim, element, side);
+    });
+    return ends;
+}
+
 std::vector<NodeId> add_mid_side_nodes(Mesh& mesh, const Mesh* kept, const RunContext& context) {
     mesh.order = 2;
     mesh.corner_count = mesh.points.size();

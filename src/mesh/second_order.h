@@ -45,6 +45,9 @@ std::array<Vec3, 10> tet_nodes(const Mesh& mesh, TetId tet);
 /// Whether a side's mid-side node is off the middle of its corners.
 bool has_curved_side(const Mesh& mesh, TetId tet);
 
+/// By mid-side node, from the first one on, the corners of the side that it is on.
+std::vector<std::array<NodeId, 2>> ends_of_mids(const Mesh& mesh);
+
 /// Gives every side of a 4-node mesh that has no mid-side node yet one at its middle. Sides of kept elements keep
 /// theirs. The nodes' entities are those of the segments and triangles the side belongs to, else the solid. Returns the
 /// new nodes.

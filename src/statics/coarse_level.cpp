@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/ids.h"
 #include "mesh/mesh.h"
 #include "mesh/second_order.h"
 
@@ -39,10 +40,9 @@ CoarseLevel coarse_level(const StaticsModel& model, const TetsOfNodes& around, R
     level.parents.resize(mesh.node_count());
     for (std::size_t node = 0; node < mesh.corner_count; ++node)
         level.parents[node] = {std::int32_t(node), std::int32_t(node)};
-    for (std::size_t tet = 0; tet < mesh.tets.size(); ++tet)
-        for (std::size_t side = 0; side < tet_sides.size(); ++side)
-            level.parents[mesh.tet_mids[tet][side].index()] = {mesh.tets[tet][std::size_t(tet_sides[side][0])].value,
-                                                               mesh.tets[tet][std::size_t(tet_sides[side][1])].value};
+    const std::vector<std::array<NodeId, 2>> ends = ends_of_mids(mesh);
+    for (std::size_t mid = 0; mid < ends.size(); ++mid)
+        level.parents[mesh.corner_count + mid] = {ends[mid][0].value, ends[mid][1].value};
     return level;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/dimension.h"
+#include "mesh/second_order.h"
 #include "update/carried_nodes.h"
 #include "update/enclosure.h"
 #include "update/entity_finder.h"
@@ -168,14 +169,15 @@ class Keeper {
         return std::max(was / wanted, wanted / was) > most;
     }
 
-    // Away from everything that changed neither sizes nor distances need to be asked for.
+    // Away from everything that changed neither sizes nor distances need to be asked for. Mid-side nodes go with the
+    // ends of their sides.
     void drop_near_changes() {
         std::vector<Box> reach;
         const double widest = in_.margin * in_.new_sizing.largest();
         for (const CarriedRegion& region : nodes_.regions())
             reach.push_back(region.changed.box().is_empty() ? Box{} : region.changed.box().grown(widest));
         const std::vector<Box> resized = where_different(in_.old_sizing, in_.new_sizing);
-        parallel_for(context_, node_count(), 4096, [&](std::size_t begin, std::size_t end) {
+        parallel_for(context_, in_.old_mesh.corner_count, 4096, [&](std::size_t begin, std::size_t end) {
             std::vector<std::size_t> may_be_near, may_be_resized;
             for (std::size_t n = begin; n < end; ++n) {
                 const Vec3 p = nodes_.at(n);
@@ -195,7 +197,16 @@ class Keeper {
             for (const std::size_t n : may_be_near)
                 if (motions_[n] != dropped && is_near_change(n)) drop(n, false);
         });
+        const std::vector<std::array<NodeId, 2>> ends = ends_of_mids(in_.old_mesh);
+        for (std::size_t mid = 0; mid < ends.size(); ++mid) {
+            const std::size_t n = in_.old_mesh.corner_count + mid, a = ends[mid][0].index(), b = ends[mid][1].index();
+            asked_[n] = asked_[a].wanted > 0 ? asked_[a] : asked_[b];
+            asked_[n].is_carried = motions_[n] > 0;
+            if (goes(a) || goes(b)) drop(n, is_resized_[a] || is_resized_[b]);
+        }
     }
+
+    bool goes(std::size_t n) const { return motions_[n] == dropped || (!near_change_.empty() && near_change_[n] != 0); }
 
     bool is_near_change(std::size_t n) const {
         const ChangedBoundary& changed = nodes_.regions()[nodes_.motion_of(NodeId(n))].changed;
