@@ -163,7 +163,8 @@ def recompute(document):
     seconds = time.perf_counter() - start
     found = recompute_errors.in_error(document)
     for mesh in meshes:
-        error = recompute_errors.error_of_part(versions.part_of(mesh), found if "Touched" in mesh.State else found - before)
+        is_left = mesh.Automatic and "Touched" in mesh.State
+        error = recompute_errors.error_of_part(versions.part_of(mesh), found if is_left else found - before)
         if error is not None:
             raise error
         if mesh.Report != reports[mesh]:
