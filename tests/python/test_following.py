@@ -296,6 +296,10 @@ class AfterTheMesh(unittest.TestCase):
         self.assertEqual(self.bracket.label(force[1]), ("Boss", "top"))
         for assignment, labels in (("HoleSketch.Hole1X=-20", [("Boss", "top")]), ("BossSketch.BossRadius=9", []), ("BossSketch.BossRadius=18", [("Boss", "top")])):
             with self.subTest(assignment):
+                if not labels and versions.version() >= (1, 0):   # the fillet does not do without the boss's edge there
+                    with self.assertRaisesRegex(UserError, "cannot recompute Fillet"):
+                        study_object.show_values(study, [assignment])
+                    continue
                 study_object.show_values(study, [assignment])
                 self.assertEqual([self.bracket.label(name) for _, name in names_of(self.document.Force)], labels)
                 mesh, = api.meshes_of(self.document)
