@@ -499,7 +499,7 @@ class Keeping(unittest.TestCase):
             self.assertEqual(Path(path).read_bytes(), before)
 
     def test_cases_that_are_only_in_the_log_are_read_where_nothing_can_be_written(self):
-        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as left:
+        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as left, tempfile.TemporaryDirectory() as copies:
             path = os.path.join(folder, "study.sqlite")
             database = Database(path, new=True)
             database.add_cases([({"x": 1.5}, None), ({"x": 2.5}, None)], "test")
@@ -507,15 +507,15 @@ class Keeping(unittest.TestCase):
                 shutil.copy(os.path.join(folder, name), left)
             database.close()
             before = {name: Path(left, name).read_bytes() for name in os.listdir(left)}
-            copies = set(Path(tempfile.gettempdir()).glob("featuremesh-*"))
-            with unittest.mock.patch.object(os, "access", return_value=False):   # nothing is closed to root
+            with unittest.mock.patch.object(os, "access", return_value=False), unittest.mock.patch.object(tempfile, "tempdir", copies):   # nothing is closed to root
                 database = Database(os.path.join(left, "study.sqlite"))
                 self.assertEqual([case.parameters for case in database.cases()], [{"x": 1.5}, {"x": 2.5}])
                 with self.assertRaisesRegex(UserError, "study.sqlite cannot be written"):
                     database.add_cases([({"x": 3.5}, None)], "test")
+                self.assertEqual(len(os.listdir(copies)), 1)
                 database.close()
             self.assertEqual({name: Path(left, name).read_bytes() for name in os.listdir(left)}, before)
-            self.assertEqual(set(Path(tempfile.gettempdir()).glob("featuremesh-*")) - copies, set())
+            self.assertEqual(os.listdir(copies), [])
 
     def test_a_folder_knows_its_copy_and_the_document_in_that(self):
         with tempfile.TemporaryDirectory() as place:
