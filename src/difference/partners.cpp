@@ -160,8 +160,8 @@ class PartnerFinder {
 
     enum class Kinship { own, possible, none };
 
-    /// Whether new faces bound what a solid at the old ones became, or what no old solid or one that became nothing may
-    /// have become.
+    /// Of new faces with old ones: their own where both bound one solid, before and after; none where what the new ones
+    /// bound is what another old solid became, and the old ones' solid became something else; else possible.
     Kinship kinship_of(std::span<const FaceId> old_faces, std::span<const FaceId> new_faces) const {
         if (new_solid_of_.empty()) return Kinship::possible;
         bool is_of_another = false;

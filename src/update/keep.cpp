@@ -206,6 +206,7 @@ class Keeper {
         }
     }
 
+    /// From tets that are not of an untouched solid at least.
     bool goes(std::size_t n) const { return motions_[n] == dropped || (!near_change_.empty() && near_change_[n] != 0); }
 
     bool is_near_change(std::size_t n) const {

@@ -24,7 +24,7 @@ create table cases (
   maker text not null default '');
 create unique index cases_by_parameters on cases (parameters);
 """
-_COPY = "study.sqlite"
+_COPY = "study.sqlite"   # its name in a temporary folder
 _JSON = ("parameters", "responses", "seconds", "mesh", "hashes")
 
 
