@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reads the mesh of another maker (Gmsh, Netgen, any FEM mesh object) so that the engine can make it ours."""
 
-import FreeCAD
 import numpy as np
 
 from . import engine
@@ -11,7 +10,6 @@ from .hand_over import SMESH_TET
 from .job import MeshJob
 from .reading import describe
 
-translate = FreeCAD.Qt.translate
 _IN_WORDS = {"tets": said("tetrahedra"), "triangles": said("triangles"), "segments": said("segments")}
 _SIDES = [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)]
 

@@ -23,7 +23,6 @@ from .mesh_properties import DIMENSIONS, FROM_SHAPE
 from .refusals import all_or_nothing, finite_length, length_of, measure_of, part_to_mesh, refuse_no_document, refuse_no_references, refuse_no_size
 from .reports import plain
 
-translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 DEFAULT_ELEMENTS = 30
 

@@ -8,7 +8,6 @@ and groups, so the other formats are written here from the saved state.
 import os
 import tempfile
 
-import FreeCAD
 import numpy as np
 
 from . import hand_over, state
@@ -16,7 +15,6 @@ from .errors import UserError
 from .messages import of_error, said
 from .formats import bdf, fillings_of, inp, msh, stl, vtk, vtu
 
-translate = FreeCAD.Qt.translate
 # Names of formats and of their files -> the module that writes them; None: FreeCAD does.
 FORMATS = {"vtu": vtu, "vtk": vtk, "inp": inp, "bdf": bdf, "msh": msh, "stl": stl, "unv": None, "med": None, "z88": None}
 WITHOUT_GROUPS = ("stl", "z88")

@@ -54,11 +54,7 @@ class _Observer:
     def slotUndoDocument(self, document):
         _show_states(document)
 
-    def slotRedoDocument(self, document):
-        _show_states(document)
-
-    def slotAbortTransaction(self, document):
-        _show_states(document)
+    slotRedoDocument = slotAbortTransaction = slotUndoDocument
 
     def slotStartSaveDocument(self, document, _):
         for mesh in _missed_an_edit(document):

@@ -26,7 +26,7 @@ FIRST_CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "not solved: solving was canc
 _AT_FIRST = {OUT_OF_DATE: NOT_SOLVED, SOLVING: FIRST_SOLVING, CANCELLED: FIRST_CANCELLED}
 
 _NO_TOUCH = 8 | 16   # status of a property whose change asks for no recompute
-# (type, name, group, default, hidden, read-only, tooltip)
+# (type, name, group, default, read-only, tooltip)
 PROPERTIES = [
     ("App::PropertyBool", "Automatic", "Live result", True, False, "Solve whenever the document was recomputed"),
     ("App::PropertyInteger", "Threads", "Live result", 0, False, "Processor threads to use; 0: all. The result is the same for any number"),
@@ -359,10 +359,7 @@ class _Observer:
         statics_result.remove_left_over(document)
         _solve_again(document)
 
-    def slotRedoDocument(self, document):
-        self._keep_results(document)
-        statics_result.remove_left_over(document)
-        _solve_again(document)
+    slotRedoDocument = slotUndoDocument
 
     def _keep_results(self, document):
         """Undo gives an analysis the members that it had before it had a result of ours, which would be left beside it."""

@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Several analyses with one mesh, and copies of analyses."""
 
-import FreeCAD
-
 from . import analyses, reading, shared_mesh, statics_model
 from .errors import UserError
 from .messages import said
 
-translate = FreeCAD.Qt.translate
 # What becomes of the mesh in a copy of an analysis.
 MESHES = ("shared", "own", "none")
 

@@ -25,7 +25,6 @@ from .resolving import CLICKED, Resolver
 from .user_words import in_words
 
 translate = FreeCAD.Qt.translate
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 # Called with every mesh object that was made or opened; the window's side adds its view there.
 on_ready = []
 # Runs a MeshJob while FreeCAD recomputes, where the window's side wants to show progress; None: just run it.

@@ -3,7 +3,6 @@
 
 from dataclasses import dataclass, field
 
-import FreeCAD
 import numpy as np
 
 from . import preferences
@@ -12,8 +11,6 @@ from .messages import said
 from .formats import connectivity, filling_of
 from .quality import MEASURES, mean_edge_length
 from .section import seen_of
-
-translate = FreeCAD.Qt.translate
 
 
 @dataclass
@@ -36,10 +33,6 @@ class Overlay:
             self._seen = seen_of(self.points, self.elements)
         corners, owners = self._seen.cut_open(self.on_surface, plane, is_filled)
         return corners, self.colours[owners]
-
-    def rows_of(self, numbers):
-        """The rows of those elements that are still there."""
-        return np.flatnonzero(np.isin(self.numbers, numbers))
 
 
 def show(mesh, overlay, plane=None):

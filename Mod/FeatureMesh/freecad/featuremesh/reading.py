@@ -24,7 +24,6 @@ from .properties import (
 )
 
 _A_PART = said("a body, or a Part object with a solid")
-translate = FreeCAD.Qt.translate
 # A pattern's direction, a sketch's plane: needed for the dependencies, but without any volume of their own. The engine's `is_reference`
 # (feature_types.cpp) means the same types; here they also spare the reading of shapes.
 _REFERENCE_TYPES = ("Sketcher::", "Spreadsheet::", "App::Line", "App::Plane", "App::Point", "App::Origin",

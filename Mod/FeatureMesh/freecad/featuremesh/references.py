@@ -117,7 +117,7 @@ def lost_by_deletion(known, deleted):
 
 
 def was_changed_by_hand(obj, known, deleted):
-    """The same where FreeCAD does not follow references itself, which changes them, too."""
+    """As `differs`, but never where FreeCAD follows references itself, which changes them, too."""
     return not versions.follows_faces() and differs(obj, known, deleted)
 
 

@@ -3,17 +3,11 @@
 
 from dataclasses import dataclass, field
 
-import FreeCAD
-
 from . import resolving, size_zone
 from .errors import UserError
 from .messages import said
 from .reading import describe
 from .resolving import Resolver
-
-translate = FreeCAD.Qt.translate
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-
 
 # FEM's refinements; those of later versions, too.
 _FEMS_OWN = ("Fem::MeshRegion", "Fem::MeshRefinement", "Fem::MeshDistance", "Fem::MeshShape")

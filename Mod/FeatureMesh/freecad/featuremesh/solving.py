@@ -15,7 +15,6 @@ from .errors import UserError
 from .messages import said
 from .user_words import in_words
 
-translate = FreeCAD.Qt.translate
 _TYPES = ("Fem::SolverCcxTools", "Fem::SolverCalculiX")   # the second one since 1.1
 
 

@@ -17,7 +17,6 @@ from .reading import describe
 from .references import ACTS_ON_NOTHING
 from .resolving import Resolver
 
-QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 LIVE_RESULT = "Fem::FeatureMeshLiveResult"   # the type of live_result.LiveResult
 _LOWEST_MODULUS, _HIGHEST_POISSON = 1.0, 0.49   # MPa; beyond, displacements of these elements mean nothing
 

@@ -7,12 +7,9 @@ grows back to that of the part, as deep as the part is thick at most.
 
 import math
 
-import FreeCAD
-
 from .errors import UserError
 from .messages import said
 
-translate = FreeCAD.Qt.translate
 MOST = 50e6             # elements; the engine refuses more, too
 MOST_AROUND = 10e6      # elements around one face or edge: far below what takes the sizing field minutes
 _MARGIN = 1.5           # of this estimate

@@ -2,6 +2,7 @@
 """VTK's XML form of unstructured grids, with binary data in base64."""
 
 import base64
+from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
@@ -35,8 +36,4 @@ def _array(name, values, components=1):
     values = np.ascontiguousarray(values)
     kind = {"f": "Float", "i": "Int", "u": "UInt"}[values.dtype.kind] + str(8 * values.dtype.itemsize)
     data = base64.b64encode(np.uint64(values.nbytes).tobytes() + values.tobytes()).decode("ascii")
-    return '<DataArray type="%s" Name="%s" NumberOfComponents="%d" format="binary">\n%s\n</DataArray>\n' % (kind, _xml(name), components, data)
-
-
-def _xml(text):
-    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace('"', "&quot;")
+    return '<DataArray type="%s" Name=%s NumberOfComponents="%d" format="binary">\n%s\n</DataArray>\n' % (kind, quoteattr(name), components, data)
