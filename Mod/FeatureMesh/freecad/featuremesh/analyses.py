@@ -2,6 +2,7 @@
 """Which analysis a new mesh belongs to."""
 
 import FreeCAD
+from femtools.femutils import is_of_type
 
 from .errors import UserError
 from .messages import said
@@ -41,13 +42,18 @@ def other_makers_mesh(document, active=None):
 def refuse_other(obj):
     """Throws UserError for what is no analysis."""
     refuse_gone(obj, said("an analysis"))
-    if not obj.isDerivedFrom("Fem::FemAnalysis"):
+    if not is_analysis(obj):
         raise UserError(said("{analysis:text} is no analysis", analysis=describe(obj)))
+
+
+def is_analysis(obj):
+    """Is this one of FEM's analyses?"""
+    return obj.isDerivedFrom("Fem::FemAnalysis")
 
 
 def analyses_of(document):
     """All analyses of the document."""
-    return [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis")]
+    return list(filter(is_analysis, document.Objects))
 
 
 def holding(obj):
@@ -59,32 +65,28 @@ def holding(obj):
 
 def directly_holding(obj):
     """The analyses that the object is in itself."""
-    return [analysis for analysis in obj.InList if analysis.isDerivedFrom("Fem::FemAnalysis")]
+    return list(filter(is_analysis, obj.InList))
 
 
 def shares_of(mesh):
     """The objects by which other analyses have the mesh, too."""
-    return [obj for obj in dict.fromkeys(mesh.InList) if _type_of(obj) == SHARED and obj.Mesh is mesh]
+    return [obj for obj in dict.fromkeys(mesh.InList) if is_of_type(obj, SHARED) and obj.Mesh is mesh]
 
 
 def source_of(mesh):
     """The mesh object of ours whose mesh it is, None for a mesh of another maker."""
-    return mesh.Mesh if _type_of(mesh) == SHARED else mesh if _type_of(mesh) == _OURS else None
+    return mesh.Mesh if is_of_type(mesh, SHARED) else mesh if is_of_type(mesh, _OURS) else None
 
 
 def meshes_of(analysis):
     """The meshes among the members of an analysis, those of results apart."""
     return [member for member in analysis.Group if member.isDerivedFrom("Fem::FemMeshObject")
-            and getattr(getattr(member, "Proxy", None), "Type", "") != "Fem::MeshResult" and not getattr(member, "Suppressed", False)]
+            and not is_of_type(member, "Fem::MeshResult") and not getattr(member, "Suppressed", False)]
 
 
 def is_ours(mesh):
     """Is this one of our mesh objects, or one that shows the mesh of one?"""
-    return _type_of(mesh) in (_OURS, SHARED)
-
-
-def _type_of(obj):
-    return getattr(getattr(obj, "Proxy", None), "Type", "")
+    return is_of_type(mesh, _OURS) or is_of_type(mesh, SHARED)
 
 
 def _meant(every, active):

@@ -428,7 +428,7 @@ def add_study(part, analysis=None):
     if analysis is not None:
         analyses.refuse_other(analysis)
     from .study import study_object   # it uses this module
-    found = [obj for obj in part.Document.Objects if obj.isDerivedFrom("Fem::FemAnalysis")]
+    found = analyses.analyses_of(part.Document)
     of_the_part = [obj for obj in found if any(is_feature_mesh(member) and versions.part_of(member) is part for member in obj.Group)]
     candidates = of_the_part or found
     with all_or_nothing(part.Document):
@@ -438,7 +438,7 @@ def add_study(part, analysis=None):
 def find_analysis(document, name=None):
     """The document's analysis, the one of that name where there are several. Throws UserError."""
     refuse_no_document(document)
-    found = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis") and (not name or name in (obj.Name, obj.Label))]
+    found = [obj for obj in analyses.analyses_of(document) if not name or name in (obj.Name, obj.Label)]
     if not found:
         raise UserError(said("the document {document:text} has no analysis{name:text}; add one in FreeCAD's FEM workbench",
                              document=document.Label, name=" " + name if name else ""))

@@ -12,7 +12,7 @@ from xml.sax.saxutils import quoteattr
 
 import FreeCAD
 
-from . import orphans, reading, versions
+from . import analyses, orphans, reading, versions
 from .errors import UserError
 from .messages import of_error, said
 
@@ -188,7 +188,7 @@ def _shown(document):
     if not shown:
         shown = reading.final_parts(document)
         shown += [part.Tip for part in shown if getattr(part, "Tip", None) is not None]   # a body is drawn through its tip
-    shown += [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemAnalysis") or obj.isDerivedFrom("Fem::Constraint")]
+    shown += [obj for obj in document.Objects if analyses.is_analysis(obj) or obj.isDerivedFrom("Fem::Constraint")]
     return [obj.Name for obj in shown]
 
 

@@ -212,8 +212,7 @@ def analysis_groups(mesh, resolver, entities):
     """The groups by which the solver's writer finds the nodes of constraints, those of each face and the elements of each solid that these refer to (see
     contact_faces and chosen_solids), and the elements of materials."""
     groups, faces, solids = [], {}, {}
-    members = [member for analysis in mesh.InList if analysis.isDerivedFrom("Fem::FemAnalysis")
-               for member in analysis.Group]
+    members = [member for analysis in analyses.directly_holding(mesh) for member in analysis.Group]
     materials = [member for member in members if _is_material(member)]
     for member in members:
         if member in materials or not hasattr(member, "References"):

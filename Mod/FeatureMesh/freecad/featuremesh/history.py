@@ -98,7 +98,7 @@ class _Observer:
         results.member_changed(obj, name)
         if name not in _WATCHED:
             return
-        if name == "Group" and obj.isDerivedFrom("Fem::FemAnalysis"):
+        if name == "Group" and analyses.is_analysis(obj):
             results.note(obj)
         if name == "References":
             references.note_clicks(obj)
@@ -137,4 +137,4 @@ def _show_states(document):
 
 
 def _is_ours(obj):
-    return getattr(getattr(obj, "Proxy", None), "Type", "") == "Fem::FeatureMesh" and "ReferredTo" in obj.PropertiesList
+    return analyses.source_of(obj) is obj and "ReferredTo" in obj.PropertiesList

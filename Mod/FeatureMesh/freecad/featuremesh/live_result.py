@@ -108,7 +108,7 @@ class LiveResult:
 
     def analysis(self, live):
         """The analysis that it belongs to, or None."""
-        return next((obj for obj in live.InList if obj.isDerivedFrom("Fem::FemAnalysis")), None)
+        return next(iter(analyses.directly_holding(live)), None)
 
     def solve(self, live, progress=None):
         """Solves, and waits for that. Returns the report. Throws what statics.solve throws; Status says why then."""
@@ -337,7 +337,7 @@ class _Observer:
     def slotChangedObject(self, obj, name):
         if FreeCAD.isRestoring() or name in _OF_NO_CONCERN:
             return
-        if name == "Group" and obj.isDerivedFrom("Fem::FemAnalysis"):
+        if name == "Group" and analyses.is_analysis(obj):
             for live in filter(is_live_result, obj.Document.Objects):
                 if live in obj.Group or live.Proxy.analysis(live) is None:   # it may have left this one
                     live.Proxy.take_members(live)

@@ -3,6 +3,8 @@
 
 from dataclasses import dataclass, field
 
+from femtools.femutils import type_of_obj
+
 from . import resolving, size_zone
 from .errors import UserError
 from .messages import said
@@ -28,7 +30,7 @@ class Refinements:
 
 def list_for(obj):
     """The property of a mesh object in which a refinement or a mesh group is listed; None for anything else."""
-    kind = getattr(getattr(obj, "Proxy", None), "Type", "")
+    kind = type_of_obj(obj)
     if kind == "Fem::MeshGroup":
         return "MeshGroupList"
     return "MeshRegionList" if kind in _FEMS_OWN or size_zone.is_zone(obj) else None

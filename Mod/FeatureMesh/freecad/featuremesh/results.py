@@ -4,6 +4,7 @@
 import hashlib
 
 import FreeCAD
+from femtools.femutils import type_of_obj
 
 from . import analyses
 
@@ -163,7 +164,7 @@ def _as_text(value):
 def _is_solved_with(obj):
     """Is it a load, a support, a material or a section, or what else FEM has of that kind?"""
     return obj.isDerivedFrom("Fem::Constraint") or obj.isDerivedFrom("App::MaterialObject") or \
-        getattr(getattr(obj, "Proxy", None), "Type", "").startswith(_MEMBERS)
+        type_of_obj(obj).startswith(_MEMBERS)
 
 
 def _mesh_of(analysis):

@@ -8,6 +8,7 @@ are read, too.
 import math
 
 import FreeCAD
+from femtools.femutils import type_of_obj
 
 from . import versions
 from .proxies import Stateless, add_missing
@@ -139,7 +140,7 @@ def wish_of(obj, names):
     """
     if is_zone(obj):
         return _wish_of_ours(obj, names)
-    reader = _FREECADS.get(getattr(getattr(obj, "Proxy", None), "Type", None))
+    reader = _FREECADS.get(type_of_obj(obj))
     return reader(obj, names) if reader else None
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 import FreeCAD
 import ObjectsFem
+from femtools.femutils import type_of_obj
 
 from . import analyses, reading, solve_guard, solvers
 from .errors import UserError
@@ -62,7 +63,7 @@ def _run(tools, analysis, program):
 
 def solver_of(analysis):
     """The CalculiX solver that is meant, or a new one where FreeCAD's own tools can run none. Throws UserError."""
-    if not any(getattr(getattr(solver, "Proxy", None), "Type", "") in _TYPES for solver in solvers.of_calculix(analysis)):
+    if not any(type_of_obj(solver) in _TYPES for solver in solvers.of_calculix(analysis)):
         return add_solver(analysis)
     return solvers.for_calculix(analysis)
 

@@ -87,7 +87,7 @@ def prepared(analysis, mesh, arrays=None):
 
 def members_of(analysis):
     """The members that FreeCAD would write; not those of an analysis in it, where FreeCAD 1.1 pastes a copy while it is selected."""
-    return [member for member in analysis.Group if not getattr(member, "Suppressed", False) and not member.isDerivedFrom("Fem::FemAnalysis")]
+    return [member for member in analysis.Group if not getattr(member, "Suppressed", False) and not analyses.is_analysis(member)]
 
 
 class _Reader:

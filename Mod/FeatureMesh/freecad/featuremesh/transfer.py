@@ -6,7 +6,7 @@ import FreeCAD
 import numpy as np
 import ObjectsFem
 
-from . import adopt, engine, results
+from . import adopt, analyses, engine, results
 from .errors import UserError
 from .messages import said
 from .reading import describe
@@ -125,9 +125,7 @@ def _add_result(mesh, name):
     shown = document.addObject("Fem::FemMeshObject", name + "_Mesh")
     shown.FemMesh = Fem.FemMesh(mesh.FemMesh)
     new.Mesh = shown
-    for analysis in mesh.InList:
-        if analysis.isDerivedFrom("Fem::FemAnalysis"):
-            analysis.addObject(new)
-            results.note_again(new)
-            break
+    for analysis in analyses.directly_holding(mesh)[:1]:
+        analysis.addObject(new)
+        results.note_again(new)
     return new

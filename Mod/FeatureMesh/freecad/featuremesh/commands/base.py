@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtGui
 
-from .. import api, assembled, reading, resolving, versions
+from .. import analyses, api, assembled, reading, resolving, versions
 from ..errors import UserError
 from ..gui import message_box
 from ..gui.undo import undo_step
@@ -146,7 +146,7 @@ def _as_clicked(document):
 
 def _has_no_part(obj):
     """Has a selected object nothing to do with a part: a load, a group of a mesh, a result, a study, a spreadsheet?"""
-    may_hold_parts = assembled.is_to_be_shown(obj) and not obj.isDerivedFrom("Fem::FemAnalysis")
+    may_hold_parts = assembled.is_to_be_shown(obj) and not analyses.is_analysis(obj)
     return not (hasattr(obj, "Shape") or is_feature_mesh(obj) or may_hold_parts)
 
 

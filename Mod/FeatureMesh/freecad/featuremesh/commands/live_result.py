@@ -4,7 +4,7 @@ import contextlib
 import FemGui
 import FreeCADGui as Gui
 
-from .. import api, live_result, statics
+from .. import analyses, api, live_result, statics
 from ..gui import recording
 from ..gui.undo import undo_step
 from .base import MeshCommand
@@ -17,7 +17,7 @@ class Command(MeshCommand):
     edits = False   # only where it adds one
 
     def is_possible(self, document):
-        return any(obj.isDerivedFrom("Fem::FemAnalysis") for obj in document.Objects)
+        return bool(analyses.analyses_of(document))
 
     def run(self, document):
         from ..gui.live_panel import LivePanel
@@ -33,6 +33,6 @@ class Command(MeshCommand):
 
 def _chosen_analysis(document):
     """The selected analysis, else FEM's active one; None where there is neither."""
-    chosen = [obj for obj in Gui.Selection.getSelection(document.Name) if obj.isDerivedFrom("Fem::FemAnalysis")]
+    chosen = list(filter(analyses.is_analysis, Gui.Selection.getSelection(document.Name)))
     active = FemGui.getActiveAnalysis()
     return chosen[0] if chosen else active if active is not None and active.Document is document else None

@@ -107,7 +107,7 @@ class _Observer:
             return
         if name == "Visibility":
             _hide_what_it_covers(obj)
-        elif obj.isDerivedFrom("Fem::FemAnalysis") and obj.Group:
+        elif analyses.is_analysis(obj) and obj.Group:
             _hide_what_it_covers(obj.Group[-1])   # what was added last
 
     def slotUndoDocument(self, document):
@@ -146,7 +146,7 @@ def _hide_what_it_covers(obj):
 
 
 def _analyses_above(obj):
-    return {above for above in obj.InListRecursive if above.isDerivedFrom("Fem::FemAnalysis")}
+    return set(filter(analyses.is_analysis, obj.InListRecursive))
 
 
 def _hidden_behind(obj):
