@@ -14,7 +14,7 @@ import Part
 from . import reading
 from .errors import FailedUpdate, UserError
 from .messages import of_error, said
-from .proxies import Stateless, add_missing
+from .proxies import HIDDEN, Stateless, add_missing
 from .user_words import in_words
 
 translate = FreeCAD.Qt.translate
@@ -66,7 +66,7 @@ class AssembledParts(Stateless):
 
     def _get_ready(self, obj):
         add_missing(obj, PROPERTIES)
-        obj.setEditorMode("Placement", 2)   # the parts are where they are
+        obj.setEditorMode("Placement", HIDDEN)   # the parts are where they are
         for hook in on_ready:
             hook(obj)
 

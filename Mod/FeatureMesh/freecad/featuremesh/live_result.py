@@ -10,6 +10,7 @@ from . import analyses, engine, mesh_object, messages, recompute_errors, referen
 from .errors import StateError, UserError
 from .messages import said
 from .mesh_properties import failed
+from .proxies import Stateless, add_missing
 from .reading import describe
 
 translate = FreeCAD.Qt.translate
@@ -25,7 +26,6 @@ FIRST_SOLVING = QT_TRANSLATE_NOOP("FeatureMesh", "being solved for the first tim
 FIRST_CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "not solved: solving was cancelled")
 _AT_FIRST = {OUT_OF_DATE: NOT_SOLVED, SOLVING: FIRST_SOLVING, CANCELLED: FIRST_CANCELLED}
 
-_NO_TOUCH = 8 | 16   # status of a property whose change asks for no recompute
 # (type, name, group, default, read-only, tooltip)
 PROPERTIES = [
     ("App::PropertyBool", "Automatic", "Live result", True, False, "Solve whenever the document was recomputed"),
@@ -41,7 +41,7 @@ PROPERTIES = [
     ("App::PropertyString", "SolvedState", "Result", "", True, "Which state of the mesh the result is of"),
 ]
 _HIDDEN = ("Members", "Report", "Failure", "SolvedState")
-_TOUCHING = ("Members", "Automatic")
+_WITHOUT_TOUCH = [name for _, name, *_ in PROPERTIES if name not in ("Members", "Automatic")]
 # Changes that alter no result.
 _OF_NO_CONCERN = {"Visibility", "Label", "Label2", "ExpressionEngine", "Report", "Failure", "ReferredTo", "Proxy"}
 _OF_THE_MESH = {"SavedState", "Status"}
@@ -58,13 +58,12 @@ solve_early = None
 cancel = None
 
 
-class LiveResult:
+class LiveResult(Stateless):
     """Proxy of the object. Its class path is stored in documents and never changes."""
 
     Type = statics_model.LIVE_RESULT
 
     def __init__(self, live):
-        self.Type = LiveResult.Type
         live.Proxy = self
         self._forget()
         self._get_ready(live)
@@ -94,15 +93,8 @@ class LiveResult:
             self.set_status(live, OUT_OF_DATE)
         self._tell_of_no_analysis(live)   # a copy is in none
 
-    def dumps(self):
-        return {"Type": self.Type}
-
     def loads(self, saved):
-        self.Type = LiveResult.Type
         self._forget()
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
     # Solving
 
@@ -240,13 +232,7 @@ class LiveResult:
         self.motion = None     # (n,3) how the part can move, where the last attempt found that
 
     def _get_ready(self, live):
-        for kind, name, group, default, read_only, tooltip in PROPERTIES:
-            if name not in live.PropertiesList:
-                live.addProperty(kind, name, group, tooltip, 0 if name in _TOUCHING else _NO_TOUCH)
-                if default is not None:
-                    setattr(live, name, default)
-            if read_only:
-                live.setEditorMode(name, 2 if name in _HIDDEN else 1)
+        add_missing(live, PROPERTIES, _WITHOUT_TOUCH, _HIDDEN)
         _watch()
         for hook in on_ready:
             hook(live)

@@ -18,6 +18,7 @@ from .messages import said
 from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE,
                               differ_from_mesh, failed, failure_of, is_of_its_part, settings_of, status_in_words)
 from .numbering import Numbering
+from .proxies import Stateless
 from .reading import describe, elements_of_today, has_shape, read_document, refuse_gone, shape_of_record, with_elements
 from .refusals import part_to_mesh, refuse_no_size
 from .reports import add_fallback, plain, remarks_of
@@ -35,13 +36,12 @@ on_new_mesh = []
 _HIGHEST_TARGET = 45   # degrees; no mesh reaches more
 
 
-class FeatureMesh:
+class FeatureMesh(Stateless):
     """Proxy of the mesh object. Its class path is stored in documents and never changes."""
 
     Type = "Fem::FeatureMesh"
 
     def __init__(self, mesh):
-        self.Type = FeatureMesh.Type
         mesh.Proxy = self
         self._forget()
         self._get_ready(mesh)
@@ -77,15 +77,8 @@ class FeatureMesh:
         if self._shown:
             self._restore(mesh)
 
-    def dumps(self):
-        return {"Type": self.Type}
-
     def loads(self, saved):
-        self.Type = FeatureMesh.Type
         self._forget()
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
     # Meshing
 

@@ -6,6 +6,7 @@ import json
 import FreeCAD
 
 from . import messages, user_words
+from .proxies import add_missing
 
 # Kept in documents as they are; shown in the user's language by status_in_words.
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -62,7 +63,6 @@ PROPERTIES = [
     ("App::PropertyString", "ReferredTo", "Result", "", True, "What loads, supports, materials and refinements referred to, as JSON"),
 ]
 _HIDDEN = ("Report", "Failure", "SavedState", "StateName", "ReferredTo")
-_NO_TOUCH = 8 | 16   # status of a property whose change asks for no recompute
 OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
               "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "QualityTarget": "target_dihedral_deg",
               "IgnoreBelow": "ignore_below", "Threads": "threads"}
@@ -76,13 +76,7 @@ def add(mesh):
     """Adds what the object lacks: all of it when new, what came later when from an older document."""
     if "Shape" not in mesh.PropertiesList and "Part" not in mesh.PropertiesList:
         mesh.addProperty("App::PropertyLinkGlobal", "Part", "Mesh", "The part to mesh")
-    for kind, name, group, default, read_only, tooltip in PROPERTIES:
-        if name not in mesh.PropertiesList:
-            mesh.addProperty(kind, name, group, tooltip, _NO_TOUCH if name in ("StateName", "ReferredTo") else 0)
-            if default is not None:
-                setattr(mesh, name, default)
-        if read_only:
-            mesh.setEditorMode(name, 2 if name in _HIDDEN else 1)
+    add_missing(mesh, PROPERTIES, ("StateName", "ReferredTo"), _HIDDEN)
 
 
 def is_of_its_part(mesh):

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the proxies of our document objects and views have in common."""
 
+NO_TOUCH = 8 | 16   # attributes of a property whose change asks for no recompute: Prop_NoRecompute and Prop_Output
+READ_ONLY, HIDDEN = 1, 2   # of the property editor
+
 
 class Stateless:
     """A proxy of which nothing but its class path is stored in documents."""
@@ -9,10 +12,12 @@ class Stateless:
         return None
 
     def loads(self, saved):
-        return None
+        """What an older version stored is of no concern."""
 
-    __getstate__ = dumps
-    __setstate__ = loads
+    __getstate__ = dumps   # as FreeCAD before 1.0 calls them
+
+    def __setstate__(self, saved):
+        self.loads(saved)
 
 
 class View(Stateless):
@@ -35,18 +40,18 @@ class View(Stateless):
         self.Object = view.Object
 
 
-def add_missing(obj, rows, attributes=0):
+def add_missing(obj, rows, without_touch=(), hidden=()):
     """Adds the properties that the object lacks, with their defaults; the names of those that were added.
 
-    A row is (type, name, group, default or None, read-only, tooltip); `attributes` are FreeCAD's of `addProperty`.
+    A row is (type, name, group, default or None, read-only, tooltip). A change of those `without_touch` asks for no recompute.
     """
     added = []
     for kind, name, group, default, read_only, tooltip in rows:
         if name not in obj.PropertiesList:
-            obj.addProperty(kind, name, group, tooltip, attributes)
+            obj.addProperty(kind, name, group, tooltip, NO_TOUCH if name in without_touch else 0)
             if default is not None:
                 setattr(obj, name, default)
             added.append(name)
         if read_only:
-            obj.setEditorMode(name, 1)
+            obj.setEditorMode(name, HIDDEN if name in hidden else READ_ONLY)
     return added

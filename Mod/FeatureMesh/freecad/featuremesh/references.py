@@ -11,6 +11,7 @@ import FreeCAD
 
 from . import assembled, versions
 from .messages import said
+from .proxies import HIDDEN
 from .resolving import CLICKED, LOST, describe, pairs_of
 
 translate = FreeCAD.Qt.translate
@@ -85,7 +86,7 @@ def note_clicks(obj):
     paths = clicked_through(obj)
     if paths and CLICKED not in obj.PropertiesList:
         obj.addProperty("App::PropertyStringList", CLICKED, "FeatureMesh", "What of its references was clicked through a link, with the path to it")
-        obj.setEditorMode(CLICKED, 2)
+        obj.setEditorMode(CLICKED, HIDDEN)
     if CLICKED in obj.PropertiesList and getattr(obj, CLICKED) != paths:
         setattr(obj, CLICKED, paths)
 

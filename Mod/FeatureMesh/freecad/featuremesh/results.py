@@ -7,6 +7,7 @@ import FreeCAD
 from femtools.femutils import type_of_obj
 
 from . import analyses
+from .proxies import HIDDEN, NO_TOUCH
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -176,6 +177,6 @@ def _set_state(result, state):
     if not state:
         return
     if SOLVED_ON not in result.PropertiesList:
-        result.addProperty("App::PropertyString", SOLVED_ON, "FeatureMesh", "The state of the mesh that was solved", 8 | 16)   # asks for no recompute
-        result.setEditorMode(SOLVED_ON, 2)
+        result.addProperty("App::PropertyString", SOLVED_ON, "FeatureMesh", "The state of the mesh that was solved", NO_TOUCH)
+        result.setEditorMode(SOLVED_ON, HIDDEN)
     setattr(result, SOLVED_ON, state)

@@ -9,20 +9,20 @@ import Fem
 
 from . import analyses, hand_over, state, versions
 from .errors import StateError
+from .proxies import Stateless
 from .resolving import Resolver
 
 translate = FreeCAD.Qt.translate
 
 
-class SharedMesh:
+class SharedMesh(Stateless):
     """Proxy of the object. Its class path is stored in documents and never changes."""
 
     Type = analyses.SHARED
+    _shown = ""   # which state of the mesh FemMesh is of
 
     def __init__(self, shared, mesh):
-        self.Type = SharedMesh.Type
         shared.Proxy = self
-        self._shown = ""   # which state of the mesh FemMesh is of
         shared.addProperty("App::PropertyLink", "Mesh", "Mesh", "The mesh object whose mesh this analysis is solved with")
         if versions.part_property(mesh) not in shared.PropertiesList:
             shared.addProperty("App::PropertyLinkGlobal", versions.part_property(mesh), "Mesh", "The meshed part")
@@ -34,7 +34,6 @@ class SharedMesh:
         self.show(shared)
 
     def onDocumentRestored(self, shared):
-        self._shown = ""
         mesh = shared.Mesh
         if mesh is None or not state.checksum_of(mesh.SavedState):
             return
@@ -82,16 +81,6 @@ class SharedMesh:
     def state_of_part(self, shared):
         """As of the mesh itself."""
         return shared.Mesh.Proxy.state_of_part(shared.Mesh) if shared.Mesh is not None else ""
-
-    def dumps(self):
-        return {"Type": self.Type}
-
-    def loads(self, saved):
-        self.Type = SharedMesh.Type
-        self._shown = ""
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def share(mesh, analysis):

@@ -11,7 +11,7 @@ import FreeCAD
 from femtools.femutils import type_of_obj
 
 from . import versions
-from .proxies import Stateless, add_missing
+from .proxies import HIDDEN, Stateless, add_missing
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -35,7 +35,7 @@ PROPERTIES = [
     ("App::PropertyLength", "Transition", "Size", 0.0, False, "Over how much it grows to the outer size; 0: as fast as the mesh's Growth allows"),
     ("App::PropertyBool", "Suppressed", "Zone", False, False, "Leaves the refinement out"),
 ]
-_HIDDEN, _SHOWN = 2, 0
+_SHOWN = 0   # of the property editor
 _RING = 48   # pieces of a drawn circle
 # Called with every zone that was made or opened; the window's side adds its view there.
 on_ready = []
@@ -70,7 +70,7 @@ class SizeZone(Stateless):
     def _show_measures(self, zone):
         own = (*MEASURES[zone.Kind], "References" if zone.Kind == DISTANCE else "Placement")
         for name in ("Length", "Width", "Height", "Radius", "Distance", "References", "Placement"):
-            zone.setEditorMode(name, _SHOWN if name in own else _HIDDEN)
+            zone.setEditorMode(name, _SHOWN if name in own else HIDDEN)
 
 
 def add(mesh, kind, inner):

@@ -9,6 +9,7 @@ import ObjectsFem
 from femtools import femutils
 
 from . import hand_over, mesh_object, results
+from .proxies import HIDDEN, NO_TOUCH
 
 _TENSOR = (("XX", 0), ("YY", 1), ("ZZ", 2), ("XY", 3), ("YZ", 4), ("XZ", 5))   # FreeCAD's names of the columns
 NODES = "MeshNodes"   # a property of results: the mesh's own numbers of their nodes, row by row, as no edit changes them
@@ -77,8 +78,8 @@ def _made_in(document):
 
 def _note_nodes(result, numbers):
     if NODES not in result.PropertiesList:
-        result.addProperty("App::PropertyFloatList", NODES, "FeatureMesh", "The mesh's numbers of the nodes", 8 | 16)   # asks for no recompute
-        result.setEditorMode(NODES, 2)
+        result.addProperty("App::PropertyFloatList", NODES, "FeatureMesh", "The mesh's numbers of the nodes", NO_TOUCH)
+        result.setEditorMode(NODES, HIDDEN)
     setattr(result, NODES, numbers.astype(float).tolist())
 
 

@@ -56,7 +56,7 @@ class StudyObject(Stateless):
         self._get_ready(obj)
 
     def _get_ready(self, obj):
-        if "Sampling" in add_missing(obj, PROPERTIES, 8 | 16):   # a change asks for no recompute
+        if "Sampling" in add_missing(obj, PROPERTIES, [name for _, name, *_ in PROPERTIES]):
             obj.Sampling = "lhs"
         for hook in on_ready:
             hook(obj)
