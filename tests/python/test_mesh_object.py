@@ -9,7 +9,7 @@ import FreeCAD
 import numpy as np
 import ObjectsFem
 from freecad.featuremesh import analyses, api, engine, mesh_object, mesh_properties, overlays, reading, versions
-from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.errors import FailedUpdate, UserError
 from freecad.featuremesh.messages import english, in_english
 from freecad.featuremesh.quality import MEASURES
 from meshed_plate import SIZE, MeshedPlate, points_of
@@ -111,6 +111,13 @@ class MeshObject(MeshedPlate):
         self.document.recompute()
         self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
         self.assertEqual(points_of(self.mesh), before)
+
+    def test_two_failures_at_once_leave_python_as_it_was(self):
+        one, other = FailedUpdate("One", "it failed"), FailedUpdate("Other", "it failed, too")
+        del one
+        self.assertEqual(sys.tracebacklimit, 0)   # the other one is still to be printed
+        del other
+        self.assertFalse(hasattr(sys, "tracebacklimit"))
 
     def test_cancel_leaves_everything_as_it_was(self):
         before = points_of(self.mesh)

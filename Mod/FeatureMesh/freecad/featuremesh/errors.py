@@ -40,20 +40,26 @@ class _NamedAsTheMesh(type):
 class FailedUpdate(UserError, metaclass=_NamedAsTheMesh):
     """What a recompute of FreeCAD is told, which prints an exception's class, its text and the lines of code that led to it.
 
-    To a user the text is enough, so the lines are left out while FreeCAD prints this one, that is, as long as it exists; the log has them.
+    To a user the text is enough, so the lines are left out while FreeCAD prints such errors, that is, as long as one exists; the log has them.
     """
 
+    _alive, _limit = 0, None   # how many there are; what sys.tracebacklimit was before the first of them
+
     def __init__(self, title, message):
+        if not FailedUpdate._alive:
+            FailedUpdate._limit = getattr(sys, "tracebacklimit", None)
+        FailedUpdate._alive += 1
+        FailedUpdate.title, sys.tracebacklimit = title, 0
         super().__init__(message)
-        type(self).title = title
-        self._limit = getattr(sys, "tracebacklimit", None)
-        sys.tracebacklimit = 0
 
     def __del__(self):
-        if self._limit is not None:
-            sys.tracebacklimit = self._limit
-        elif hasattr(sys, "tracebacklimit"):
-            del sys.tracebacklimit
+        FailedUpdate._alive -= 1
+        if FailedUpdate._alive:
+            return
+        if FailedUpdate._limit is None:
+            vars(sys).pop("tracebacklimit", None)
+        else:
+            sys.tracebacklimit = FailedUpdate._limit
 
 
 class StateError(Said, RuntimeError):
