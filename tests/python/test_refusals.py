@@ -103,10 +103,12 @@ class Parts(unittest.TestCase):
         self.refused("greater than 0 mm", box, float("nan"))
         self.refused("x is no length", box, "x")
         self.refused("3 kg is no length", box, "3 kg")
+        self.refused("is no length", box, FreeCAD.Units.Quantity("5 deg"))
         self.refused("not 3", box, 3, order=3)
         self.refused("not 0", box, elements=0)
         self.assertEqual(api.add_mesh(box, "0.3 cm").Size.Value, 3)
-        self.assertEqual(api.add_mesh(box, FreeCAD.Units.Quantity("0.3 cm")).Size.Value, 3)
+        for size in ("0.3 cm", 3, "3"):
+            self.assertEqual(api.add_mesh(box, FreeCAD.Units.Quantity(size)).Size.Value, 3)
 
 
     def test_nothing_is_left_behind(self):

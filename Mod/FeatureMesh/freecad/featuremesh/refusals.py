@@ -53,16 +53,14 @@ def refuse_no_references(references):
 
 def length_of(value):
     """A number, a quantity or a text such as "0.5 in" in mm. Throws UserError."""
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        pass
-    try:
+    bare = FreeCAD.Units.Unit()
+    with contextlib.suppress(TypeError, ValueError):
+        if getattr(value, "Unit", bare) == bare:   # a quantity is a number, too, such as 5 of 5 degrees
+            return float(value)
+    with contextlib.suppress(TypeError, ValueError, ArithmeticError, OSError):
         quantity = FreeCAD.Units.Quantity(value)
         if quantity.Unit == FreeCAD.Units.Length:
             return quantity.Value
-    except (TypeError, ValueError, ArithmeticError, OSError):
-        pass
     raise UserError(said("{value:text} is no length", value=str(value)))
 
 
