@@ -4,7 +4,9 @@ import os
 import shutil
 import tempfile
 import unittest
+from unittest import mock
 
+import FreeCAD
 import ObjectsFem
 from analyses import quantity
 from freecad.featuremesh import api, cli, mesh_object
@@ -99,6 +101,15 @@ class Solve(unittest.TestCase):
         self.assertGreater(api.solve(self.analysis).figures["displacement"], 0)
         self.assertEqual([member for member in self.analysis.Group if hasattr(member, "AnalysisType")], [solver])
 
+    def test_the_program_that_the_user_chose_is_enough(self):
+        settings, program = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Fem/Ccx"), shutil.which("ccx")
+        settings.SetBool("UseStandardCcxLocation", False)
+        settings.SetString("ccxBinaryPath", program)
+        self.addCleanup(settings.SetBool, "UseStandardCcxLocation", True)
+        self.addCleanup(settings.SetString, "ccxBinaryPath", "")
+        with tempfile.TemporaryDirectory() as folder, mock.patch.dict(os.environ, {"PATH": folder}):
+            self.assertGreater(api.solve(self.analysis).figures["displacement"], 0)
+
     def test_a_mesh_out_of_date_is_not_solved(self):
         self.mesh.Automatic = False
         self.document.HoleSketch.setDatum("X", 24)
@@ -107,9 +118,11 @@ class Solve(unittest.TestCase):
         with self.assertRaisesRegex(UserError, "out of date.*before solving"):
             api.solve(self.analysis)
 
-    def test_what_is_missing_is_said(self):
+    def test_what_is_missing_is_said_and_the_last_result_stays(self):
+        result = api.solve(self.analysis).result
         self.document.removeObject("Steel")
-        with self.assertRaisesRegex(UserError, "Analysis cannot be solved: .*material"):
+        with self.assertRaisesRegex(UserError, "cannot solve Analysis: .*material"):
             api.solve(self.analysis)
+        self.assertIn(result, self.analysis.Group)
         with self.assertRaisesRegex(UserError, "Body is no analysis"):
             api.solve(self.body)

@@ -2,7 +2,6 @@
 """Solves an analysis with CalculiX, through FreeCAD's own tools, for scripts."""
 
 import contextlib
-import shutil
 import sys
 import tempfile
 from dataclasses import dataclass, field
@@ -28,37 +27,24 @@ class Solution:
 
 def solve(analysis):
     """Solves `analysis` with its CalculiX solver, which it gets if it has none. Throws UserError when something is missing or CalculiX fails."""
-    from femtools import ccxtools
+    from . import calculix   # FreeCAD's tools for CalculiX take a while to load
     analyses.refuse_other(analysis)
     solve_guard.refuse(analysis)
-    program = shutil.which("ccx")
-    if not program:
-        raise UserError(said("CalculiX (ccx) is not installed"))
-    with contextlib.redirect_stdout(sys.__stderr__):   # FreeCAD's tools print what they write
-        solver = solver_of(analysis)
-        _run(ccxtools.FemToolsCcx(analysis, solver, test_mode=False), analysis, program)
+    calculix.program()   # refuses before anything is changed
+    solver = solver_of(analysis)
+    tools = calculix.ccxtools.FemToolsCcx(analysis, solver, test_mode=False)
+    with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder, contextlib.redirect_stdout(sys.__stderr__):   # FreeCAD's tools print what they write
+        calculix.write_input(tools, folder, analysis)
+        if tools.ccx_run():
+            complaints = [line.strip() for line in tools.ccx_stdout.splitlines() if "ERROR" in line.upper()] or [said("it says nothing of why")]
+            raise UserError(said("CalculiX could not solve {analysis:text}: {why:messages}", analysis=reading.describe(analysis), why=complaints[0]))
+        tools.load_results()
     for remark in solvers.remarks(analysis, solver):
         FreeCAD.Console.PrintMessage("%s: %s\n" % (reading.describe(analysis), in_words(remark)))
     results = [member for member in analysis.Group if member.isDerivedFrom("Fem::FemResultObject")]
     if not results:
         raise UserError(said("CalculiX gave no result for {analysis:text}", analysis=reading.describe(analysis)))
     return Solution(results[-1], figures_of(results[-1]))
-
-
-def _run(tools, analysis, program):
-    tools.purge_results()
-    with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
-        tools.setup_working_dir(folder)
-        tools.update_objects()
-        tools.setup_ccx(ccx_binary=program)
-        problem = tools.check_prerequisites()
-        if problem:
-            raise UserError(said("{analysis:text} cannot be solved: {why:text}", analysis=reading.describe(analysis), why=" ".join(problem.split())))
-        tools.write_inp_file()
-        if tools.ccx_run():
-            complaints = [line.strip() for line in tools.ccx_stdout.splitlines() if "ERROR" in line.upper()] or [said("it says nothing of why")]
-            raise UserError(said("CalculiX could not solve {analysis:text}: {why:messages}", analysis=reading.describe(analysis), why=complaints[0]))
-        tools.load_results()
 
 
 def solver_of(analysis):

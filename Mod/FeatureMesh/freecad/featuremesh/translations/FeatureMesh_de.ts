@@ -1745,10 +1745,6 @@
       <translation>{mesh:text} kann nicht neu nummeriert werden: {why:messages}</translation>
     </message>
     <message>
-      <source>{analysis:text} cannot be solved: {why:text}</source>
-      <translation>{analysis:text} kann nicht gelöst werden: {why:text}</translation>
-    </message>
-    <message>
       <source>{analysis:text} has {mesh:text} already, and an analysis is solved with one mesh</source>
       <translation>{analysis:text} hat schon {mesh:text}, und eine Analyse wird mit einem Netz gelöst</translation>
     </message>
@@ -2163,10 +2159,6 @@
     <message>
       <source>By how much displacements are drawn larger than they are</source>
       <translation>Um wie viel größer die Verschiebungen gezeichnet werden, als sie sind</translation>
-    </message>
-    <message>
-      <source>CalculiX (ccx) is not installed</source>
-      <translation>CalculiX (ccx) ist nicht installiert</translation>
     </message>
     <message>
       <source>CalculiX (ccx) is not installed; on Debian its package is calculix-ccx</source>
