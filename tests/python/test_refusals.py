@@ -58,6 +58,15 @@ class Parts(unittest.TestCase):
                 self.assertRaisesRegex(UserError, "cannot write run.log: Permission denied"):
             study_object.go_on(study)
 
+    def test_a_study_that_cannot_run_leaves_no_folder(self):
+        study = api.add_study(plate_with_hole(self.document))
+        study.Parameters, study.Responses = ["HoleSketch.Radius=5:7"], ["mass"]
+        with tempfile.TemporaryDirectory() as folder:
+            self.document.saveAs(os.path.join(folder, "part.FCStd"))
+            with mock.patch.object(window_run, "program", side_effect=UserError("no program")), self.assertRaisesRegex(UserError, "no program"):
+                study_object.start(study)
+            self.assertEqual((os.listdir(folder), study.Folder), (["part.FCStd"], ""))
+
     def test_the_range_of_an_angle_is_one_that_freecad_takes(self):
         cylinder = self.document.addObject("Part::Cylinder", "Cylinder")
         for angle, wanted in ((360, (324, 360)), (340, (306, 360)), (90, (81, 99))):

@@ -2,6 +2,7 @@
 """The study in a document's tree: what is varied and asked for, and the folder with what came out."""
 
 import os
+import shutil
 
 import FreeCAD
 
@@ -122,7 +123,8 @@ def study_of(obj, document_path):
 
 
 def start(obj):
-    """Writes the document as it is and the study into a new folder, and runs it there. Returns the window_run.WindowRun. Throws UserError."""
+    """Writes the document as it is and the study into a new folder, and runs it there. Returns the window_run.WindowRun. Throws UserError, and
+    leaves no folder then."""
     study_of(obj, "")   # whatever is wrong is told before anything is written
     folder = window_run.new_folder(obj.Document.FileName, obj.Name)
     try:
@@ -131,10 +133,15 @@ def start(obj):
         raise UserError(said("the study's folder {path:text} cannot be made ({why:text}); save the document where you may write, the study is kept beside it",
                              path=folder, why=error.strerror)) from error
     path = os.path.join(folder, _name_of_copy(obj.Document.FileName))
-    documents.save_document(obj.Document, path)
-    study_file.write(study_of(obj, path), os.path.join(folder, "study.toml"))
+    try:
+        documents.save_document(obj.Document, path)
+        study_file.write(study_of(obj, path), os.path.join(folder, "study.toml"))
+        run = window_run.WindowRun(folder, obj.Jobs)
+    except BaseException:
+        shutil.rmtree(folder, ignore_errors=True)
+        raise
     obj.Folder = folder
-    return _told(obj, window_run.WindowRun(folder, obj.Jobs))
+    return _told(obj, run)
 
 
 def _name_of_copy(path):
