@@ -65,6 +65,16 @@ class Files(unittest.TestCase):
         whole[info.header_offset + 200] ^= 0xFF
         self.refused(self.write("flipped.FCStd", bytes(whole)), "damaged")
 
+    def test_a_password(self):
+        path = os.path.join(self.folder, "secret.FCStd")
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr("Document.xml", "<Document/>")
+        with open(path, "rb") as stream:
+            content = bytearray(stream.read())
+        for flags in (content.index(b"PK\x03\x04") + 6, content.index(b"PK\x01\x02") + 8):
+            content[flags] |= 1   # encrypted
+        self.refused(self.write("secret.FCStd", bytes(content)), "secret.FCStd is damaged: .*encrypted")
+
     def test_another_zip(self):
         path = os.path.join(self.folder, "other.FCStd")
         with zipfile.ZipFile(path, "w") as archive:

@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 import zipfile
+import zlib
 from dataclasses import dataclass
 from xml.etree import ElementTree
 from xml.parsers import expat
@@ -41,12 +42,8 @@ def open_document(path):
         with zipfile.ZipFile(path) as archive:
             written = archive.read("Document.xml") if "Document.xml" in archive.namelist() else None
             damaged = archive.testzip()
-    except (zipfile.BadZipFile, OSError, EOFError, ValueError, NotImplementedError) as error:
+    except (zipfile.BadZipFile, zlib.error, OSError, EOFError, ValueError, RuntimeError) as error:   # the last for an unknown method, or a password
         raise UserError(said("{path:text} is damaged: {why:messages}", path=path, why=of_error(error))) from error
-    except Exception as error:
-        if type(error).__name__ == "error" and type(error).__module__ == "zlib":
-            raise UserError(said("{path:text} is damaged: {why:messages}", path=path, why=of_error(error))) from error
-        raise
     if written is None:
         raise UserError(said("{path:text} is not a FreeCAD document: it has no Document.xml", path=path))
     if damaged:
