@@ -107,11 +107,14 @@ class Tasks(unittest.TestCase):
         self.assertEqual({name: content for name, content in self.files().items() if name != "part.FCStd"},
                          {name: content for name, content in before.items() if name != "part.FCStd"})
         os.symlink("elsewhere.json", self.path("link.json"))
+        with open(self.path("report.json.tmp"), "w", encoding="utf-8") as stream:
+            stream.write("somebody's own")
         os.chmod(report, 0o600)
         for name in ("link.json", "report.json"):
             self.done(command="update", part=self.part, set=["HoleSketch.X=24"], json=self.path(name))
         self.assertTrue(os.path.islink(self.path("link.json")) and os.path.isfile(self.path("elsewhere.json")))
         self.assertEqual(os.stat(report).st_mode & 0o777, 0o600)
+        self.assertEqual(self.files()["report.json.tmp"], b"somebody's own")
         self.done(command="update", part=self.part, set=["HoleSketch.X=25"], json="/dev/null")
         self.assertFalse(os.path.isfile("/dev/null"))
 

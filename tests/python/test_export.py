@@ -156,6 +156,15 @@ class Export(unittest.TestCase):
         self.assertGreater((volumes(points, tets) * (1 if is_positive else -1)).min(), 0, name)
         return rows
 
+    def test_a_link_stays_one_and_who_may_read_the_file_stays(self):
+        link, path = os.path.join(self.folder, "link.inp"), os.path.join(self.folder, "elsewhere.inp")
+        os.symlink(path, link)
+        api.export_mesh(self.mesh, link)
+        os.chmod(path, 0o600)
+        api.export_mesh(self.mesh, link)
+        self.assertEqual((os.path.islink(link), os.stat(path).st_mode & 0o777), (True, 0o600))
+        os.unlink(link)
+
     def test_freecad_reads_it(self):
         for name in READ_BY_FREECAD[self.order]:
             with self.subTest(name):

@@ -6,6 +6,7 @@ and groups, so the other formats are written here from the saved state.
 """
 
 import os
+import shutil
 import tempfile
 
 import numpy as np
@@ -39,21 +40,24 @@ def write(mesh, path, file_format):
     if file_format == "z88" and not mesh.FemMesh.VolumeCount and mesh.Order == "1st" and mesh.FemMesh.FaceCount:
         raise UserError(said("z88 has no 3-node triangles; mesh with 6-node triangles, or export it as inp, vtu, vtk, msh, unv or med"))
     _refuse_beside_others(mesh, file_format)
-    name = os.path.splitext(os.path.basename(path))[0]
+    target = os.path.realpath(path)   # a link stays one
+    name = os.path.splitext(os.path.basename(target))[0]
     if file_format == "med" and len(name.encode()) > _LONGEST_MED_NAME:
         raise UserError(said("a MED file keeps its mesh under the file's own name, which may have {most:count} characters at most; choose a shorter one "
                              "than {name:text}",
                              most=_LONGEST_MED_NAME, name=name))
     groups = groups_of(mesh) if file_format not in WITHOUT_GROUPS else []
     try:
-        with tempfile.TemporaryDirectory(prefix=".featuremesh-", dir=os.path.dirname(os.path.abspath(path))) as folder:
+        with tempfile.TemporaryDirectory(prefix=".featuremesh-", dir=os.path.dirname(target)) as folder:
             temporary = os.path.join(folder, name + "." + file_format)   # FreeCAD reads a MED mesh by its file's name only
             writer = FORMATS[file_format]
             if writer is None:
                 _write_by_freecad(hand_over.to_fem_mesh(mesh.Proxy.last_part_mesh(mesh), groups) if groups else mesh.FemMesh, temporary)
             else:
                 writer.write(temporary, state.load(mesh.SavedState).arrays, groups)
-            os.replace(temporary, path)
+            if os.path.exists(target):
+                shutil.copymode(target, temporary)
+            os.replace(temporary, target)
     except OSError as error:
         raise UserError(said("cannot write {path:text}: {why:messages}", path=path, why=error.strerror or of_error(error))) from error
     return len(groups)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import FreeCAD
 import numpy as np
 
-from . import __version__
+from . import __version__, whole_file
 from .errors import StateError
 from .messages import said
 
@@ -69,15 +69,8 @@ def save(path, state):
         raise TypeError("a state holds plain numbers only")
     digest = _digest(members)
     members["checksum"] = _bytes_to_array(digest)
-    temporary = "%s.%d.tmp" % (path, os.getpid())
-    try:
-        with open(temporary, "wb") as stream:
-            np.savez(stream, **members)
-        os.replace(temporary, path)
-    except BaseException:
-        if os.path.exists(temporary):
-            os.unlink(temporary)
-        raise
+    with whole_file.replaced(path) as place, open(place, "wb") as stream:
+        np.savez(stream, **members)
     return digest.hex()
 
 
