@@ -113,6 +113,20 @@ def check_which_study(body, other):
         close_panel()
 
 
+def check_unreadable_parameter(body):
+    """The panel opens, keeps what cannot be read, and says so when it runs."""
+    study = next(obj for obj in body.Document.Objects if hasattr(obj, "SecondsLimit") and obj.Part is body)
+    study.Parameters, study.Responses = ["HoleSketch.Radius"], ["mass"]
+    select((study,))
+    run_command("Study")
+    shown = panel("StudyPanel")
+    shown.cases.setValue(shown.cases.value() + 1)
+    assert list(study.Parameters) == ["HoleSketch.Radius"], study.Parameters
+    window.click(shown.run_button)
+    assert "cannot read 'HoleSketch.Radius'" in window.messages[-1] and not study.Folder, window.messages[-1]
+    close_panel()
+
+
 def check_which_analysis(document, body):
     """Of several analyses the active one is solved; where none is active one has to be selected."""
     second = ObjectsFem.makeAnalysis(document, "Second")
@@ -332,6 +346,7 @@ def drive():
     other.Placement.Base.z = 50
     document.recompute()
     check_which_study(body, other)
+    check_unreadable_parameter(body)
     if not engine.load().statics_missing():
         check_which_analysis(document, body)
     figures.append("mistakes: each is told, or what is meant is taken")

@@ -28,11 +28,12 @@ class DimensionList(QtGui.QTreeWidget):
         self.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         self.setMinimumHeight(200)
         self._items, self._groups = {}, {}   # target -> item, name of an object -> item
-        known = {parameter.target: parameter for parameter in map(design.parse_parameter, parameters)}
-        self._others = [text for text in parameters if design.parse_parameter(text).target not in {entry.target for entry in dimensions}
-                        or not design.parse_parameter(text).bounds]   # lists of values, and what was written by hand
+        ranges = {text: parameter for text, parameter in ((text, _parsed(text)) for text in parameters)
+                  if parameter is not None and parameter.bounds and parameter.target in {entry.target for entry in dimensions}}
+        self._others = [text for text in parameters if text not in ranges]   # lists of values, and what was written by hand
+        bounds = {parameter.target: parameter.bounds for parameter in ranges.values()}
         for dimension in dimensions:
-            self._add(dimension, known.get(dimension.target))
+            self._add(dimension, bounds.get(dimension.target))
         self.setRootIsDecorated(False)   # the panel may be narrow
         self.setIndentation(8)
         self.setItemDelegateForColumn(_NAME, _Names(self))
@@ -72,7 +73,7 @@ class DimensionList(QtGui.QTreeWidget):
         """The names get all the width as long as there is no range."""
         self.setColumnHidden(_RANGE, not any(item.text(_RANGE) for item in self._items.values()))
 
-    def _add(self, dimension, parameter):
+    def _add(self, dimension, bounds):
         owner = dimension.owner
         if owner.Name not in self._groups:
             group = self._groups[owner.Name] = QtGui.QTreeWidgetItem([owner.Label])
@@ -86,10 +87,9 @@ class DimensionList(QtGui.QTreeWidget):
         item.setToolTip(_NAME, ("%s  %s %s" % (dimension.name, number, dimension.unit)).strip())
         item.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable | QtCore.Qt.ItemIsUserCheckable | QtCore.Qt.ItemIsEditable)
         item.setData(_NAME, QtCore.Qt.UserRole, [float(value) for value in dimension.usual_range()])
-        ticked = parameter is not None and bool(parameter.bounds)
-        item.setCheckState(_NAME, QtCore.Qt.Checked if ticked else QtCore.Qt.Unchecked)
-        if ticked:
-            self._show_range(item, parameter.bounds)
+        item.setCheckState(_NAME, QtCore.Qt.Checked if bounds else QtCore.Qt.Unchecked)
+        if bounds:
+            self._show_range(item, bounds)
         self._items[dimension.target] = item
         self._groups[owner.Name].addChild(item)
 
@@ -124,6 +124,14 @@ class DimensionList(QtGui.QTreeWidget):
             item.setToolTip(_RANGE, item.text(_RANGE))
             self.blockSignals(False)
         self._changed()
+
+
+def _parsed(text):
+    """The design.Parameter, None for what cannot be read, which is told when the study runs."""
+    try:
+        return design.parse_parameter(text)
+    except UserError:
+        return None
 
 
 class _Names(QtGui.QStyledItemDelegate):
