@@ -2,10 +2,10 @@
 """Which analysis a new mesh belongs to."""
 
 import FreeCAD
-from femtools.femutils import is_of_type
 
 from .errors import UserError
 from .messages import said
+from .proxies import type_of
 from .reading import describe, refuse_gone
 from .resolving import Resolver
 
@@ -70,23 +70,23 @@ def directly_holding(obj):
 
 def shares_of(mesh):
     """The objects by which other analyses have the mesh, too."""
-    return [obj for obj in dict.fromkeys(mesh.InList) if is_of_type(obj, SHARED) and obj.Mesh is mesh]
+    return [obj for obj in dict.fromkeys(mesh.InList) if type_of(obj) == SHARED and obj.Mesh is mesh]
 
 
 def source_of(mesh):
     """The mesh object of ours whose mesh it is, None for a mesh of another maker."""
-    return mesh.Mesh if is_of_type(mesh, SHARED) else mesh if is_of_type(mesh, _OURS) else None
+    return mesh.Mesh if type_of(mesh) == SHARED else mesh if type_of(mesh) == _OURS else None
 
 
 def meshes_of(analysis):
     """The meshes among the members of an analysis, those of results apart."""
     return [member for member in analysis.Group if member.isDerivedFrom("Fem::FemMeshObject")
-            and not is_of_type(member, "Fem::MeshResult") and not getattr(member, "Suppressed", False)]
+            and type_of(member) != "Fem::MeshResult" and not getattr(member, "Suppressed", False)]
 
 
 def is_ours(mesh):
     """Is this one of our mesh objects, or one that shows the mesh of one?"""
-    return is_of_type(mesh, _OURS) or is_of_type(mesh, SHARED)
+    return type_of(mesh) in (_OURS, SHARED)
 
 
 def _meant(every, active):

@@ -5,6 +5,11 @@ NO_TOUCH = 8 | 16   # attributes of a property whose change asks for no recomput
 READ_ONLY, HIDDEN = 1, 2   # of the property editor
 
 
+def type_of(obj):
+    """What its proxy says that an object is; "" without one, also of None, which links have in place of what is being deleted."""
+    return getattr(getattr(obj, "Proxy", None), "Type", "")
+
+
 class Stateless:
     """A proxy of which nothing but its class path is stored in documents."""
 

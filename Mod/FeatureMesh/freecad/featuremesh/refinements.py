@@ -3,11 +3,10 @@
 
 from dataclasses import dataclass, field
 
-from femtools.femutils import type_of_obj
-
 from . import resolving, size_zone
 from .errors import UserError
 from .messages import said
+from .proxies import type_of
 from .reading import describe
 from .resolving import Resolver
 
@@ -30,7 +29,7 @@ class Refinements:
 
 def list_for(obj):
     """The property of a mesh object in which a refinement or a mesh group is listed; None for anything else."""
-    kind = type_of_obj(obj)
+    kind = type_of(obj)
     if kind == "Fem::MeshGroup":
         return "MeshGroupList"
     return "MeshRegionList" if kind in _FEMS_OWN or size_zone.is_zone(obj) else None

@@ -4,10 +4,9 @@
 import hashlib
 
 import FreeCAD
-from femtools.femutils import type_of_obj
 
 from . import analyses
-from .proxies import HIDDEN, NO_TOUCH
+from .proxies import HIDDEN, NO_TOUCH, type_of
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -165,7 +164,7 @@ def _as_text(value):
 def _is_solved_with(obj):
     """Is it a load, a support, a material or a section, or what else FEM has of that kind?"""
     return obj.isDerivedFrom("Fem::Constraint") or obj.isDerivedFrom("App::MaterialObject") or \
-        type_of_obj(obj).startswith(_MEMBERS)
+        type_of(obj).startswith(_MEMBERS)
 
 
 def _mesh_of(analysis):

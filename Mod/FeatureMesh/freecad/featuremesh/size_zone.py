@@ -8,10 +8,9 @@ are read, too.
 import math
 
 import FreeCAD
-from femtools.femutils import type_of_obj
 
 from . import versions
-from .proxies import HIDDEN, Stateless, add_missing
+from .proxies import HIDDEN, Stateless, add_missing, type_of
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -140,7 +139,7 @@ def wish_of(obj, names):
     """
     if is_zone(obj):
         return _wish_of_ours(obj, names)
-    reader = _FREECADS.get(type_of_obj(obj))
+    reader = _FREECADS.get(type_of(obj))
     return reader(obj, names) if reader else None
 
 

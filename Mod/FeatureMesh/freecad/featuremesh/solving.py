@@ -8,11 +8,11 @@ from dataclasses import dataclass, field
 
 import FreeCAD
 import ObjectsFem
-from femtools.femutils import type_of_obj
 
 from . import analyses, reading, solve_guard, solvers
 from .errors import UserError
 from .messages import said
+from .proxies import type_of
 from .user_words import in_words
 
 _TYPES = ("Fem::SolverCcxTools", "Fem::SolverCalculiX")   # the second one since 1.1
@@ -49,7 +49,7 @@ def solve(analysis):
 
 def solver_of(analysis):
     """The CalculiX solver that is meant, or a new one where FreeCAD's own tools can run none. Throws UserError."""
-    if not any(type_of_obj(solver) in _TYPES for solver in solvers.of_calculix(analysis)):
+    if not any(type_of(solver) in _TYPES for solver in solvers.of_calculix(analysis)):
         return add_solver(analysis)
     return solvers.for_calculix(analysis)
 
