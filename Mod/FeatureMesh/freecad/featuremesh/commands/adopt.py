@@ -4,10 +4,10 @@ import FreeCADGui as Gui
 
 from .. import adopt, api, reading, versions
 from ..errors import UserError
-from ..gui import recording
+from ..gui import message_box, recording
 from ..messages import said
 from ..mesh_object import is_feature_mesh
-from .base import MeshCommand, answer
+from .base import MeshCommand
 
 translate = FreeCAD.Qt.translate
 
@@ -31,7 +31,7 @@ class Command(MeshCommand):
 
     def may_take_place(self, part, mesh):
         """The part has a mesh of ours: is the adopted one to take its place?"""
-        return answer(self.title, translate("FeatureMesh", "%s has the mesh %s already.") % (part.Label, mesh.Label),
+        return message_box.answer(self.title, translate("FeatureMesh", "%s has the mesh %s already.") % (part.Label, mesh.Label),
                       translate("FeatureMesh", "The adopted mesh can take its place; %s stays in the document.") % mesh.Label,
                       {"take": translate("FeatureMesh", "Take its place")})
 

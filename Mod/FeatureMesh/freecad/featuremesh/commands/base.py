@@ -5,11 +5,9 @@ import contextlib
 
 import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtGui
 
 from .. import analyses, api, assembled, reading, resolving, versions
 from ..errors import UserError
-from ..gui import message_box
 from ..gui.undo import undo_step
 from ..messages import said
 from ..mesh_object import is_feature_mesh
@@ -58,18 +56,6 @@ class MeshCommand:
         errors.show(error, versions.part_of(meshes[0]) if len(meshes) == 1 else None)
 
 
-def answer(title, text, more, choices, is_risky=False):
-    """The key of the choice that was clicked in a message box, the first by default unless that is risky; None for Cancel, or then by default."""
-    box = message_box.of_text(title, text)
-    box.setInformativeText(more)
-    roles = [QtGui.QMessageBox.AcceptRole, QtGui.QMessageBox.ActionRole]
-    buttons = {key: box.addButton(choice, role) for (key, choice), role in zip(choices.items(), roles)}
-    cancel = box.addButton(QtGui.QMessageBox.Cancel)
-    box.setDefaultButton(cancel if is_risky else next(iter(buttons.values())))
-    box.exec_()
-    return next((key for key, button in buttons.items() if box.clickedButton() is button), None)
-
-
 def selected_mesh(document):
     """The selected mesh object, else that of a selected part, or the only one of the document. Throws UserError."""
     meshes = selected_meshes(document)
@@ -78,7 +64,7 @@ def selected_mesh(document):
 
 def selected_meshes(document):
     """The selected mesh objects; where there are none the mesh of what else is selected, such as a face, if that has just one."""
-    selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _has_no_part(obj)]
+    selected = _selected(document)
     chosen = [obj for obj in selected if is_feature_mesh(obj)]
     parts = list(map(_part_of, selected))
     of_parts = [mesh for mesh in api.meshes_of(document) if any(is_mesh_of(mesh, part) for part in parts)]
@@ -118,7 +104,7 @@ def selected_part(document):
                if step.isDerivedFrom("App::Link")]
     if through:
         return through[0]
-    selected = [_part_of(obj) for obj in Gui.Selection.getSelection(document.Name) if not _has_no_part(obj)]
+    selected = list(map(_part_of, _selected(document)))
     if len(set(selected)) > 1:
         raise UserError(said("several parts are selected, select one, or the container of those to mesh: {parts:text}",
                              parts=", ".join(map(reading.describe, dict.fromkeys(selected)))))
@@ -127,7 +113,7 @@ def selected_part(document):
 
 def only_shown_part(document):
     """Where nothing that has to do with a part is selected, the one of the parts that is shown; else None."""
-    if any(not _has_no_part(obj) for obj in Gui.Selection.getSelection(document.Name)):
+    if _selected(document):
         return None
     shown = [part for part in reading.final_parts(document) if part.ViewObject.Visibility]
     return shown[0] if len(shown) == 1 else None
@@ -135,7 +121,7 @@ def only_shown_part(document):
 
 def selected_container(document):
     """The selected App::Part, group or assembly, None where another thing is selected."""
-    selected = [obj for obj in Gui.Selection.getSelection(document.Name) if not _has_no_part(obj)]
+    selected = _selected(document)
     return selected[0] if selected and assembled.is_container(selected[0]) else None
 
 
@@ -144,10 +130,10 @@ def _as_clicked(document):
     return Gui.Selection.getSelectionEx(document.Name, 0)
 
 
-def _has_no_part(obj):
-    """Has a selected object nothing to do with a part: a load, a group of a mesh, a result, a study, a spreadsheet?"""
-    may_hold_parts = assembled.is_to_be_shown(obj) and not analyses.is_analysis(obj)
-    return not (hasattr(obj, "Shape") or is_feature_mesh(obj) or may_hold_parts)
+def _selected(document):
+    """What is selected and has to do with a part, unlike a load, a group of a mesh, a result, a study or a spreadsheet."""
+    return [obj for obj in Gui.Selection.getSelection(document.Name)
+            if hasattr(obj, "Shape") or is_feature_mesh(obj) or assembled.is_to_be_shown(obj) and not analyses.is_analysis(obj)]
 
 
 def _part_of(obj):

@@ -5,9 +5,9 @@ import FreeCADGui as Gui
 
 from .. import analyses, api, preferences
 from ..errors import UserError
-from ..gui import recording
+from ..gui import message_box, recording
 from ..messages import said
-from .base import MeshCommand, answer, is_mesh_of, only_shown_part, selected_container, selected_part
+from .base import MeshCommand, is_mesh_of, only_shown_part, selected_container, selected_part
 
 translate = FreeCAD.Qt.translate
 
@@ -56,12 +56,12 @@ class Command(MeshCommand):
 
     def ask(self, part, mesh):
         """The part has a mesh: "open" that, "add" another one, or None."""
-        return answer(self.title, translate("FeatureMesh", "%s has the mesh %s already.") % (part.Label, mesh.Label), "",
+        return message_box.answer(self.title, translate("FeatureMesh", "%s has the mesh %s already.") % (part.Label, mesh.Label), "",
                       {"open": translate("FeatureMesh", "Open it"), "add": translate("FeatureMesh", "Add another mesh")})
 
     def ask_whose_place(self, analysis, mesh):
         """The analysis has a mesh that is not ours: "take" its place, "keep" it there, or None."""
-        return answer(self.title, translate("FeatureMesh", "%s has the mesh %s, and an analysis is solved with one mesh.") % (analysis.Label, mesh.Label),
+        return message_box.answer(self.title, translate("FeatureMesh", "%s has the mesh %s, and an analysis is solved with one mesh.") % (analysis.Label, mesh.Label),
                       translate("FeatureMesh", "The new mesh can take its place, with its refinements, groups and size; %s stays in the document.") % mesh.Label,
                       {"take": translate("FeatureMesh", "Take its place"), "keep": translate("FeatureMesh", "Leave it there")})
 

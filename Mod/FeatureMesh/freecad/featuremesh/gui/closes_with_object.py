@@ -3,7 +3,9 @@
 
 import FreeCAD
 import FreeCADGui as Gui
-from PySide import QtCore
+from PySide import QtCore, QtGui
+
+from .. import versions
 
 
 class ClosesWithObject:
@@ -22,6 +24,9 @@ class ClosesWithObject:
         FreeCAD.removeDocumentObserver(self)
 
     # FreeCAD's side
+
+    def getStandardButtons(self):
+        return versions.number_of(QtGui.QDialogButtonBox.Close)
 
     def slotDeletedObject(self, obj):
         if obj is self._watched:

@@ -7,6 +7,7 @@ import FreeCAD
 
 from .. import reading, too_fine, versions
 from ..study import memory
+from . import message_box
 
 translate = FreeCAD.Qt.translate
 # Of an element, in FreeCAD and the mesher together. 814 000 took 0.53 GB of 4 nodes and 1.35 GB of 10 where both are one process; as two they hold the arrays
@@ -26,8 +27,7 @@ def or_all_the_same(mesh):
 
 
 def _ask(mesh, count, needed, available):
-    from ..commands.base import answer
     text = translate("FeatureMesh", "About %d million elements need about %d GB of memory; %d GB are free.") % (
         round(count / 1e6), round(needed / 1e9), available // 1e9)
-    return answer(mesh.Label, text, translate("FeatureMesh", "Where memory runs out, what is not saved is lost. A larger size makes fewer elements."),
+    return message_box.answer(mesh.Label, text, translate("FeatureMesh", "Where memory runs out, what is not saved is lost. A larger size makes fewer elements."),
                   {"mesh": translate("FeatureMesh", "Mesh all the same")}, is_risky=True) is not None

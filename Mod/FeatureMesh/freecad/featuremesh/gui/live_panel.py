@@ -9,7 +9,7 @@ import FreeCADGui as Gui
 import numpy as np
 from PySide import QtCore, QtGui
 
-from .. import api, live_overlay, live_result, live_view, messages, user_words, view_provider, versions
+from .. import api, live_overlay, live_result, live_view, messages, user_words, view_provider
 from ..errors import UserError
 from ..mesh_properties import status_in_words
 from ..messages import said
@@ -83,9 +83,6 @@ class LivePanel(ClosesWithObject):
         self.largest.setText(self._largest_in_words(drawn) if is_fresh else "")
         if drawn is not None:
             self.cut.set_box(drawn.points)
-
-    def getStandardButtons(self):
-        return versions.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         self.end()

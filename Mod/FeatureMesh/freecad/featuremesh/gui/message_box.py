@@ -27,3 +27,15 @@ def is_agreed(title, question, parent):
     box.setDefaultButton(no)
     box.exec_()
     return box.clickedButton() is yes
+
+
+def answer(title, text, more, choices, is_risky=False):
+    """The key of the choice that was clicked in a message box, the first by default unless that is risky; None for Cancel, or then by default."""
+    box = of_text(title, text)
+    box.setInformativeText(more)
+    roles = [QtGui.QMessageBox.AcceptRole, QtGui.QMessageBox.ActionRole]
+    buttons = {key: box.addButton(choice, role) for (key, choice), role in zip(choices.items(), roles)}
+    cancel = box.addButton(QtGui.QMessageBox.Cancel)
+    box.setDefaultButton(cancel if is_risky else next(iter(buttons.values())))
+    box.exec_()
+    return next((key for key, button in buttons.items() if box.clickedButton() is button), None)

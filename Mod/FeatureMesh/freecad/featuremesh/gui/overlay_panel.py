@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import mesh_object, view_provider, versions
+from .. import mesh_object, view_provider
 from ..errors import UserError
 from ..messages import of_error
 from ..user_words import in_words
@@ -72,9 +72,6 @@ class OverlayPanel(ClosesWithObject):
             self.mesh.ViewObject.Proxy.show(self.mesh, None)
         else:
             self.mesh.ViewObject.Proxy.show(self.mesh, self.overlay, self.cut.plane(), self.cut.filled.isChecked())
-
-    def getStandardButtons(self):
-        return versions.number_of(QtGui.QDialogButtonBox.Close)
 
     def reject(self):
         self.end()

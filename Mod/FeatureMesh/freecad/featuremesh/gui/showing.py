@@ -18,7 +18,7 @@ def show_part(part):
     for mesh in api.meshes_of(part.Document):
         if versions.part_of(mesh) is part:
             shown.update((obj, False) for obj in (mesh, *_results_over(mesh)))
-    before = [(obj.Document.Name, obj.Name, obj.ViewObject.Visibility) for obj in shown]
+    before = _as_seen(shown)
     for obj, visible in shown.items():
         obj.ViewObject.Visibility = visible
     return before
@@ -49,7 +49,7 @@ def show_unless_seen(obj):
 def show_elements(mesh):
     """Shows the mesh, and hides what would cover its elements. Returns what `restore` needs."""
     covers = what_covers(mesh)
-    before = [(obj.Document.Name, obj.Name, obj.ViewObject.Visibility) for obj in (*covers, mesh)]
+    before = _as_seen([*covers, mesh])
     _set_visible(covers, False)
     mesh.ViewObject.Visibility = True
     return before
@@ -198,6 +198,11 @@ def _meshed(mesh):
     part = versions.part_of(mesh)
     shown = [part, part.Container] if part is not None and assembled.is_assembled(part) else [part]
     return [obj for obj in shown if obj is not None]
+
+
+def _as_seen(objects):
+    """What `restore` needs to show and hide them as they are now."""
+    return [(obj.Document.Name, obj.Name, obj.ViewObject.Visibility) for obj in objects]
 
 
 def _set_visible(objects, visible):

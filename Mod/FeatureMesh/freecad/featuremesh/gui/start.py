@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The workbench, and all that it connects with FreeCAD's window when that starts."""
 
+import FreeCAD
 import FreeCADGui as Gui
 
 from .. import assembled, assembled_view, live_result, live_view, mesh_object, orphans, size_zone, study_view, view_provider, waiting, zone_view
@@ -14,7 +15,7 @@ class FeatureMeshWorkbench(Gui.Workbench):
     """Meshes that stay alive."""
 
     MenuText = "FeatureMesh"
-    ToolTip = preferences_page.translate("FeatureMesh", "FEM meshes that are updated, not thrown away, when the part is edited")
+    ToolTip = FreeCAD.Qt.translate("FeatureMesh", "FEM meshes that are updated, not thrown away, when the part is edited")
     Icon = view_provider.icon("FeatureMesh")
 
     def Initialize(self):

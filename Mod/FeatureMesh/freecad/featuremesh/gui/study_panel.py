@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import user_words, view_provider, versions
+from .. import user_words, view_provider
 from ..errors import UserError
 from ..messages import of_error, said
 from ..study import design, response_words, study_object, window_run
@@ -90,9 +90,6 @@ class StudyPanel(ClosesWithObject):
         from .study_window import show
         return show(self.study)
 
-    def getStandardButtons(self):
-        return versions.number_of(QtGui.QDialogButtonBox.Close)
-
     def reject(self):
         self.end()
         Gui.getDocument(self._document).resetEdit()
@@ -164,8 +161,6 @@ class StudyPanel(ClosesWithObject):
         self.jobs.setRange(0, 1024)
         self.jobs.setSpecialValueText(translate("FeatureMesh", "automatic"))
         self.jobs.setValue(study.Jobs)
-        for box in (self.at, self.sampling, self.solver):
-            box.view().setMinimumWidth(box.view().sizeHintForColumn(0))   # its list shows every word
         for box in (self.sampling, self.solver):
             box.currentIndexChanged.connect(lambda _: self._take())
         for box in (self.cases, self.jobs):
@@ -228,7 +223,6 @@ class StudyPanel(ClosesWithObject):
         study.Sampling, study.Cases = self.sampling.itemData(self.sampling.currentIndex()), self.cases.value()
         study.Solver, study.Jobs = self.solver.itemData(self.solver.currentIndex()), self.jobs.value()
         self.cases.setEnabled(study.Sampling in design.COUNTED)
-        self.sampling.setToolTip(self.sampling.currentText())
 
     def _add_at_selection(self):
         """The response of the box at the face, edge or vertex that is selected."""
