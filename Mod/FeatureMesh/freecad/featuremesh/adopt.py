@@ -8,10 +8,10 @@ from .errors import UserError
 from .messages import said
 from .hand_over import SMESH_TET
 from .job import MeshJob
+from .quality import contents, mean_edge_length
 from .reading import describe
 
 _IN_WORDS = {"tets": said("tetrahedra"), "triangles": said("triangles"), "segments": said("segments")}
-_SIDES = [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)]
 
 
 class AdoptJob(MeshJob):
@@ -73,12 +73,8 @@ def asked_size(obj):
 
 def typical_size(arrays):
     """The edge length that most of the mesh's surface has (of its inside where it has no triangles), mm, rounded to three digits."""
-    triangles = len(arrays["triangles"]) > 0
-    corners = arrays["points"][arrays["triangles" if triangles else "tets"]]
-    sides = [(0, 1), (1, 2), (0, 2)] if triangles else _SIDES
-    lengths = np.mean([np.linalg.norm(corners[:, a] - corners[:, b], axis=1) for a, b in sides], axis=0)
-    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    weights = np.linalg.norm(across, axis=1) if triangles else np.abs(np.einsum("ij,ij->i", across, corners[:, 3] - corners[:, 0]))
+    kind = "triangles" if len(arrays["triangles"]) else "tets"
+    lengths, weights = mean_edge_length(arrays["points"], arrays[kind]), np.abs(contents(arrays["points"], arrays[kind]))
     return float("%.3g" % np.average(lengths, weights=weights if weights.sum() > 0 else None))
 
 

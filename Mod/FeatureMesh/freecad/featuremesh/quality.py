@@ -63,6 +63,15 @@ def mean_edge_length(points, elements):
     return _corners_of(points, elements).edge_lengths().mean(axis=1)
 
 
+def contents(points, elements):
+    """(m,) volumes of tets (m,4), mm^3, negative inside out; areas of triangles (m,3), mm^2; lengths of segments (m,2), mm."""
+    a, *rest = (points[elements[:, i]] - points[elements[:, 0]] for i in range(1, elements.shape[1]))
+    if not rest:
+        return np.linalg.norm(a, axis=1)
+    across = _cross(a, rest[0])
+    return np.linalg.norm(across, axis=1) / 2 if len(rest) == 1 else np.einsum("ij,ij->i", across, rest[1]) / 6
+
+
 def tet_quality(points, tets):
     """(m,) smallest and (m,) largest dihedral angle, degrees, and (m,) radius ratio 3 r / R of each tet."""
     corner = _Corners(points, tets)

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-# The corners of each side of a tet, seen from outside in the order of the clock's opposite, and of each edge.
+# The corners of each side of a tet, seen from outside in the order of the clock's opposite, and of each edge, in the order of
+# the mid-side nodes.
 SIDES = np.array(((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)))
 EDGES = np.array(((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)))
 AXES = {"x": 0, "y": 1, "z": 2}

@@ -67,18 +67,18 @@ def save(path, state):
     members.update(("array." + name, np.ascontiguousarray(values)) for name, values in state.arrays.items())
     if any(values.dtype.hasobject for values in members.values()):
         raise TypeError("a state holds plain numbers only")
-    digest = _digest(members)
-    members["checksum"] = _bytes_to_array(digest)
+    checksum = digest(members)
+    members["checksum"] = _bytes_to_array(checksum)
     with whole_file.replaced(path) as place, open(place, "wb") as stream:
         np.savez(stream, **members)
-    return digest.hex()
+    return checksum.hex()
 
 
 def load(path):
     """The state in `path`, brought to today's schema. Throws StateError: missing, damaged, newer."""
     members = _read_members(path)
     checksum = members.pop("checksum", None)
-    if checksum is None or checksum.tobytes() != _digest(members):
+    if checksum is None or checksum.tobytes() != digest(members):
         raise StateError(said(_DAMAGED, why=said("its checksum is wrong")))
     meta = json.loads(members.pop("meta").tobytes())
     if meta["schema"] > SCHEMA:
@@ -130,10 +130,11 @@ def _bytes_to_array(data):
     return np.frombuffer(data, dtype=np.uint8)
 
 
-def _digest(members):
-    digest = hashlib.sha256()
-    for name in sorted(members):
-        values = members[name]
-        digest.update(("%s %s %s\n" % (name, values.dtype.str, values.shape)).encode())
-        digest.update(np.ascontiguousarray(values).data)
-    return digest.digest()
+def digest(arrays):
+    """The SHA-256 of every bit of some arrays, and of their names."""
+    found = hashlib.sha256()
+    for name in sorted(arrays):
+        values = arrays[name]
+        found.update(("%s %s %s\n" % (name, values.dtype.str, values.shape)).encode())
+        found.update(np.ascontiguousarray(values).data)
+    return found.digest()

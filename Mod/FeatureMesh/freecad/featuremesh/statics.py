@@ -10,6 +10,7 @@ import numpy as np
 from . import analyses, engine, solvers, statics_model, statics_supports
 from .errors import UserError
 from .messages import said
+from .quality import contents
 from .reading import describe
 from .statics_model import NotUnderstood
 
@@ -142,13 +143,7 @@ def place(arrays, row):
 
 def mass(statics):
     """kg."""
-    return float((tet_volumes(statics.arrays) * statics.materials[statics.tet_materials, 2]).sum() * TONNE)
-
-
-def tet_volumes(arrays):
-    """(m,) mm^3 of the tets with straight sides."""
-    a, b, c, d = (arrays["points"][arrays["tets"][:, i]] for i in range(4))
-    return np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) / 6
+    return float((contents(statics.arrays["points"], statics.arrays["tets"]) * statics.materials[statics.tet_materials, 2]).sum() * TONNE)
 
 
 def without_load(statics):

@@ -7,7 +7,7 @@ import os
 import shutil
 import traceback
 
-from .. import api, documents, engine, reading, versions
+from .. import api, documents, engine, reading, state, versions
 from ..errors import UserError
 from ..messages import of_error, said, several
 from ..mesh_object import element_count
@@ -72,7 +72,7 @@ def _run(base, case, seconds):
         if "mesh" in base.study.keep:
             api.export_mesh(base.mesh, os.path.join(case["folder"], "case.vtu"))
     with step(seconds, "hashes"):
-        mesh_hash = hash_of(arrays)
+        mesh_hash = state.digest(arrays).hex()
         hashes = {"mesh": mesh_hash, "result": _hash_of_values(mesh_hash, values)}
     return {"state": DONE, "responses": values, "seconds": seconds, "message": several(report["warnings"]) or "",
             "mesh": {"nodes": report["nodes"], "elements": element_count(report), "kept_share": (report.get("kept") or {}).get("nodes_share", 0.0),
@@ -119,15 +119,6 @@ def _solve(base, arrays, folder, seconds):
     fields = case_solver.solve_ccx(base.analysis, arrays, work, base.study.threads, seconds)
     case_solver.keep_files(work, folder, [name for name in base.study.keep if name != "mesh"])
     return fields
-
-
-def hash_of(arrays):
-    """Of every bit of a mesh: nodes, elements, numbers, CAD entities."""
-    digest = hashlib.sha256()
-    for name in sorted(arrays):
-        digest.update(("%s %s %s\n" % (name, arrays[name].dtype.str, arrays[name].shape)).encode())
-        digest.update(arrays[name].tobytes())
-    return digest.hexdigest()
 
 
 def _hash_of_values(mesh, values):

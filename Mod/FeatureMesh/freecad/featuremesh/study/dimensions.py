@@ -80,8 +80,7 @@ def _properties(obj):
 
 
 def _unit_of_cell(sheet, name):
-    unit = getattr(sheet.get(name), "Unit", None)
-    return "mm" if unit is not None and unit.Type == "Length" else "deg" if unit is not None and unit.Type == "Angle" else ""
+    return _unit_of(sheet.get(name))
 
 
 def _unit_of_constraint(sketch, name):
@@ -90,5 +89,9 @@ def _unit_of_constraint(sketch, name):
 
 
 def _unit_of_property(obj, name):
-    unit = getattr(getattr(obj, name), "Unit", None)
+    return _unit_of(getattr(obj, name))
+
+
+def _unit_of(value):
+    unit = getattr(value, "Unit", None)
     return {"Length": "mm", "Angle": "deg"}.get(unit.Type, "") if unit is not None else ""

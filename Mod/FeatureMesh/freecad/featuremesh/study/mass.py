@@ -11,6 +11,7 @@ from .. import formats, materials, statics, statics_model
 from ..errors import UserError
 from ..messages import said
 from ..hand_over import EntityGroups
+from ..quality import contents
 from ..reading import describe
 from ..resolving import Resolver
 
@@ -47,10 +48,11 @@ def of_part(part, analysis, arrays):
         groups = {name: numbers for name, _, numbers in materials.material_groups(found, resolver, entities)}
         return [groups.get(member.Name + "_Volumes", ()) for member in found]
 
-    each = by_element("Fem::MaterialCommon", said("material"), _density, of_solids if kind == "tets" else named) * _sizes(arrays, kind)
+    sizes = contents(arrays["points"], arrays[kind])
+    each = by_element("Fem::MaterialCommon", said("material"), _density, of_solids if kind == "tets" else named) * sizes
     if kind in _SECTIONS:
         each *= by_element(*_SECTIONS[kind], _thickness if kind == "triangles" else _section, named)
-    return float(each.sum()) * whole(part, kind) / float(_sizes(arrays, kind).sum()) * statics.TONNE
+    return float(each.sum()) * whole(part, kind) / float(sizes.sum()) * statics.TONNE
 
 
 def whole(part, kind):
@@ -58,15 +60,6 @@ def whole(part, kind):
     shape = part.Shape   # whose own Volume counts open sheets in
     return {"tets": lambda: sum(solid.Volume for solid in shape.Solids), "triangles": lambda: sum(face.Area for face in shape.Faces),
             "segments": lambda: sum(edge.Length for edge in shape.Edges)}[kind]()
-
-
-def _sizes(arrays, kind):
-    """(m,) volumes, areas or lengths of straight elements."""
-    if kind == "tets":
-        return statics.tet_volumes(arrays)
-    corners = arrays["points"][arrays[kind]]
-    sides = corners[:, 1:] - corners[:, :1]
-    return np.linalg.norm(sides[:, 0] if kind == "segments" else np.cross(sides[:, 0], sides[:, 1]) / 2, axis=1)
 
 
 def _by_element(own, what, claims):

@@ -13,11 +13,10 @@ from .. import formats, resolving
 from ..errors import UserError
 from ..messages import said
 from ..hand_over import EntityGroups
+from ..section import EDGES
 
 _ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)\d+$")
 _GROUP = "StudyPlace%d"
-# Corners that the mid-side nodes of a tet lie between, in the order of tet_mids.
-_MIDS = ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))
 _OUTSIDE = -0.05   # barycentric coordinate of a point that is taken to lie on a curved boundary still
 
 
@@ -31,18 +30,13 @@ def add_groups(mesh, part, responses):
     groups = []
     for number, place in enumerate(of_nodes(responses), 1):
         resolver = resolving.Resolver(part)
-        if not _has(part.Shape, place):
+        if not resolving.is_element_of(part.Shape, place):
             raise UserError(said("the part has no {place:text}, where a response is asked for", place=place))
         group = ObjectsFem.makeMeshGroup(part.Document, mesh, False, _GROUP % number)
         group.Label = "Place of a response: " + place
         group.References = [(resolver.bearer or part, place)]
         groups.append(group)
     return groups
-
-
-def _has(shape, place):
-    kind = re.sub(r"\d+$", "", place)
-    return 1 <= int(place[len(kind):]) <= shape.countElement(kind)
 
 
 class Places:
@@ -133,5 +127,5 @@ def _interpolated(arrays, values, point):
     share = shares[tet]
     if not len(arrays["tet_mids"]):
         return share @ values[arrays["tets"][tet]]
-    weights = np.concatenate([share * (2 * share - 1), [4 * share[a] * share[b] for a, b in _MIDS]])
+    weights = np.concatenate([share * (2 * share - 1), [4 * share[a] * share[b] for a, b in EDGES]])
     return weights @ values[np.concatenate([arrays["tets"][tet], arrays["tet_mids"][tet]])]
