@@ -71,7 +71,7 @@ def remarks(is_solid, solver):
     if is_solid or getattr(solver, "BeamShellResultOutput3D", False):
         return []
     return [said("the stresses of shells and beams are those in the middle of the thickness, where bending makes none; switch "
-                                   "BeamShellResultOutput3D of {solver:text} on for those on the outside", solver=describe(solver))]
+                 "BeamShellResultOutput3D of {solver:text} on for those on the outside", solver=describe(solver))]
 
 
 def as_arrays(analysis):

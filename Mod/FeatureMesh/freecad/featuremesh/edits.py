@@ -202,8 +202,7 @@ def _set_constraint(sketch, name, text):
 def _refuse_driven(sketch, index, name):
     for path, expression in sketch.ExpressionEngine:
         if path.lstrip(".") in ("Constraints.%s" % name, "Constraints[%d]" % index):
-            raise UserError(said("{object:text}.{name:text} is driven by the expression {expression:text}, change that instead",
-                                 object=describe(sketch), name=name, expression=expression))
+            raise _driven(sketch, name, expression)
 
 
 def _constraint_index(sketch, name):
@@ -220,7 +219,7 @@ def _constraint_index(sketch, name):
 
 
 def _set_cell(sheet, name, text):
-    cell = sheet.getCellFromAlias(name) if hasattr(sheet, "getCellFromAlias") else None
+    cell = sheet.getCellFromAlias(name)
     if cell is None and name in sheet.PropertiesList and name[:1].isupper() and name[-1:].isdigit():
         cell = name
     if cell is None:
@@ -228,7 +227,7 @@ def _set_cell(sheet, name, text):
         raise _unknown(sheet, name, aliases, _NO_CELL)
     _refuse_computed(sheet, cell, name)
     if not _is_quantity(text):
-        raise UserError(said("{value:text} is no number for {target:text}", value=text, target="%s.%s" % (describe(sheet), name)))
+        raise _no_number(text, "%s.%s" % (describe(sheet), name))
     if text[:1] not in "=" and any(letter.isalpha() for letter in text.replace("e", "")):
         text = "=" + text
     sheet.set(cell, text)
@@ -251,12 +250,20 @@ def _alias(sheet, name):
 def _refuse_expression(obj, path):
     for bound, expression in obj.ExpressionEngine:
         if bound.lstrip(".") == path or bound.lstrip(".").startswith(path + "."):
-            raise UserError(said("{object:text}.{name:text} is driven by the expression {expression:text}, change that instead",
-                                 object=describe(obj), name=path, expression=expression))
+            raise _driven(obj, path, expression)
 
 
 def _unknown(obj, name, known, words=_NO_PROPERTY):
     return UserError(said(words, object=describe(obj), name=name, near=close_names(name, list(known))))
+
+
+def _no_number(text, where):
+    return UserError(said("{value:text} is no number for {target:text}", value=text, target=where))
+
+
+def _driven(obj, name, expression):
+    return UserError(said("{object:text}.{name:text} is driven by the expression {expression:text}, change that instead",
+                          object=describe(obj), name=name, expression=expression))
 
 
 def _bool(text, where):
@@ -278,12 +285,12 @@ def _number(text, unit, where):
     wanted = {"mm": FreeCAD.Units.Length, "deg": FreeCAD.Units.Angle}.get(unit)
     if wanted is not None and number is None and _is_quantity(text):
         return float(_quantity(text, wanted, where).Value)
-    raise UserError(said("{value:text} is no number for {target:text}", value=text, target=where))
+    raise _no_number(text, where)
 
 
 def _quantity(text, unit, where):
     if not _is_quantity(text):
-        raise UserError(said("{value:text} is no number for {target:text}", value=text, target=where))
+        raise _no_number(text, where)
     quantity = FreeCAD.Units.Quantity(text)
     if quantity.Unit == FreeCAD.Units.Unit():
         return FreeCAD.Units.Quantity(quantity.Value, unit)

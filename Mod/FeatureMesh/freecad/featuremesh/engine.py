@@ -56,8 +56,7 @@ def load():
         raise
     except worker.CannotStart as error:
         if alone:
-            raise EngineMissing(translate("FeatureMesh", "FeatureMesh's engine in %s could not be loaded: %s. To install it anew: %s") % (
-                place.folder, in_words(of_error(error)), how_to_install())) from error
+            raise _not_loaded(place.folder, in_words(of_error(error))) from error
         FreeCAD.Console.PrintWarning(translate(
             "FeatureMesh", "FeatureMesh cannot start its worker process and runs inside FreeCAD: %s") % in_words(of_error(error)) + "\n")
         run_here()
@@ -119,6 +118,10 @@ def _why_missing():
     return " ".join(words)
 
 
+def _not_loaded(folder, why):
+    return EngineMissing(translate("FeatureMesh", "FeatureMesh's engine in %s could not be loaded: %s. To install it anew: %s") % (folder, why, how_to_install()))
+
+
 def _check(said, place):
     """Throws EngineMissing unless the engine speaks a protocol of this package. `said` is what its `about` gives."""
     protocol = said.get("protocol", 0)
@@ -147,7 +150,6 @@ def _imported(path):
         module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(module)
     except ImportError as error:
-        raise EngineMissing(translate("FeatureMesh", "FeatureMesh's engine in %s could not be loaded: %s. To install it anew: %s") % (
-            os.path.dirname(path), error, how_to_install())) from error
+        raise _not_loaded(os.path.dirname(path), error) from error
     sys.modules[engine_places.NAME] = module
     return module

@@ -16,7 +16,7 @@ import Fem
 import numpy as np
 
 from . import analyses
-from .formats import FILLING, connectivity, is_single_entity, vtk
+from .formats import FILLING, connectivity, entity_name, is_single_entity, vtk
 from .materials import material_groups
 from .resolving import Resolver
 from .waiting import let_the_window_live
@@ -237,9 +237,8 @@ def renew_analysis_groups(mesh, resolver, arrays):
         if name.endswith(("_Nodes", "_Volumes")) and name not in named and not is_single_entity(name) and not name.startswith("Feature_"):
             fem_mesh.removeGroup(group)   # that of a member, which may be gone
     known = {fem_mesh.getGroupName(group) for group in fem_mesh.Groups}
-    for name, kind, numbers in analysis_groups(mesh, resolver, EntityGroups(arrays)):
-        if len(numbers) and name not in known:
-            fem_mesh.addGroupElements(fem_mesh.addGroup(name, kind), [int(number) for number in numbers])
+    groups = analysis_groups(mesh, resolver, EntityGroups(arrays))
+    _add_groups(fem_mesh, [group for group in groups if len(group[2]) and group[0] not in known])
 
 
 class EntityGroups:
@@ -255,9 +254,8 @@ class EntityGroups:
             elements, mids, numbers, owners = _ARRAYS[_KINDS[kind]]
             self._collect(kind, connectivity(arrays, elements, mids), arrays[owners], arrays[numbers])
         numbers = arrays["node_numbers"]
-        on_vertex = np.flatnonzero(arrays["entities"][:, 0] == 0)
-        for node in on_vertex:
-            self._nodes["Vertex%d" % (arrays["entities"][node, 1] + 1)] = numbers[[node]]
+        for node in np.flatnonzero(arrays["entities"][:, 0] == 0):   # on vertices
+            self._nodes[entity_name(*arrays["entities"][node])] = numbers[[node]]
         self._shared = self._share_nodes(arrays["shared_nodes"])
 
     def elements(self, name):
@@ -307,7 +305,7 @@ class EntityGroups:
         """What has no elements of its own has the nodes of what stands in its place. The names of all such."""
         names = []
         for dimension, index in np.unique(shared[:, :2], axis=0):
-            name = "%s%d" % (("Vertex", "Edge", "Face")[dimension], index + 1)
+            name = entity_name(dimension, index)
             nodes = shared[(shared[:, 0] == dimension) & (shared[:, 1] == index), 2]
             self._nodes[name] = np.union1d(self.nodes(name), self._arrays["node_numbers"][nodes])
             names.append(name)

@@ -25,7 +25,7 @@ def material_groups(materials, resolver, entities):
         names = _solids_of(material, resolver, entities)
         if names is None:
             return []
-        numbers = _numbers(names, entities)
+        numbers = np.concatenate([entities.elements(name) for name in names])
         claimed.append(numbers)
         groups.append((material.Name + "_Volumes", "Volume", numbers))
     everything = np.sort(entities.all_elements())
@@ -65,7 +65,3 @@ def _solids_within(target, sub, entities):
         if any(all(solid.isInside(point, 1e-7, True) for point in points) for solid in solids):
             found.append(name)
     return found
-
-
-def _numbers(names, entities):
-    return np.concatenate([entities.elements(name) for name in names])

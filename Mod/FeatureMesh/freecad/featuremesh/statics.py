@@ -9,6 +9,7 @@ import numpy as np
 
 from . import analyses, engine, solvers, statics_model, statics_supports
 from .errors import UserError
+from .formats import entity_name
 from .messages import said
 from .quality import contents
 from .reading import describe
@@ -136,9 +137,8 @@ def reactions(statics, by_node):
 
 def place(arrays, row):
     """Where a node is: its number, its coordinates, and the face, edge or vertex that it lies on."""
-    kind, index = arrays["entities"][row]
     return {"node": int(arrays["node_numbers"][row]), "mm": arrays["points"][row].tolist(),
-            "on": "%s%d" % (("Vertex", "Edge", "Face", "Solid")[kind], index + 1)}
+            "on": entity_name(*arrays["entities"][row])}
 
 
 def mass(statics):

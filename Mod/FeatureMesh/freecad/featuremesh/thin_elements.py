@@ -3,12 +3,11 @@
 
 import numpy as np
 
-from .formats import connectivity, filling_of
+from .formats import connectivity, entity_name, filling_of
 from .messages import said
 from .quality import dihedral_angle
 
 _SMALL, _TOLD_BY_ENGINE = 10.0, 2.0   # degrees
-_ENTITIES = "Vertex", "Edge", "Face", "Solid"
 
 
 def remarks(arrays, quality):
@@ -20,18 +19,13 @@ def remarks(arrays, quality):
     elements = connectivity(arrays, kind, mids)
     angles = dihedral_angle(arrays["points"], elements)
     worst = elements[np.abs(angles - angle).argmin()]   # the part's own angles may force smaller ones elsewhere
-    place = "%s%d" % _name(min(map(tuple, arrays["entities"][worst].tolist())))
+    place = entity_name(*min(map(tuple, arrays["entities"][worst].tolist())))
     if quality["forced_by_cad"]:
         return [said("The smallest angle that the part does not force is {angle:number} degrees, at {place:entities}: stresses are poor there. Mesh finer there, by a "
                      "local size or a refinement zone, or take details out that are much smaller than the edge length.", angle=_rounded(angle), place=[place])]
     return [said("{count:count} {count:element has an angle|elements have angles} below 10 degrees, the smallest is {angle:number} degrees, at {place:entities}: stresses are "
                  "poor there. Mesh finer there, by a local size or a refinement zone, or take details out that are much smaller than the edge length.",
                  count=int(quality["below_10"]), angle=_rounded(angle), place=[place])]
-
-
-def _name(entity):
-    dimension, index = entity
-    return _ENTITIES[dimension], index + 1
 
 
 def _rounded(angle):

@@ -49,6 +49,11 @@ def _rows_beside(elements, larger):
     return np.flatnonzero(~np.isin(keys[len(sides):], keys[:len(sides)]))
 
 
+def entity_name(dimension, index):
+    """What FreeCAD calls an entity, such as Face12, which counts from 1."""
+    return "%s%d" % (("Vertex", "Edge", "Face", "Solid")[dimension], index + 1)
+
+
 def is_single_entity(name):
     """Is it the name of a group of one edge, face or solid, which every mesh has?"""
     return re.fullmatch(r"(Solid|Face|Edge)[0-9]+(_Nodes)?", name) is not None

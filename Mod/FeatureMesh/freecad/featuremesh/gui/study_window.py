@@ -11,7 +11,7 @@ from .. import api, view_provider
 from ..errors import UserError
 from ..messages import of_error, said
 from ..study import answers, report, response_words, study_object, table
-from ..study.folder import StudyFolder
+from ..study.folder import StudyFolder, has_study
 from ..user_words import as_shown, figure, in_words
 from . import errors, narrow, recording
 from .save_dialog import ask_for_file
@@ -81,7 +81,7 @@ class StudyWindow(QtGui.QDialog):
         """Brings table and plots up to date with the study's database, or says why it cannot be read."""
         try:
             path = study_object.existing_folder_of(self.study)
-            if os.path.exists(os.path.join(path, "study.sqlite")):
+            if has_study(path):
                 self._take(StudyFolder(path))
         except UserError as error:
             self.note.setText(in_words(of_error(error)))

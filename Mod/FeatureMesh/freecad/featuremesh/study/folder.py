@@ -16,6 +16,7 @@ from ..messages import said
 from .database import Database
 from .design import from_plain
 
+_DATABASE = "study.sqlite"
 _CHUNK = 1 << 20
 
 
@@ -25,10 +26,10 @@ class StudyFolder:
     def __init__(self, path, new=False):
         """Throws UserError: no study there, or (for a new one) one there already."""
         self.path = os.path.abspath(path)
-        self.database_path = os.path.join(self.path, "study.sqlite")
+        self.database_path = os.path.join(self.path, _DATABASE)
         self.base_path = os.path.join(self.path, "base.FCStd")
         self._lock_path = os.path.join(self.path, "running.lock")
-        there = os.path.isfile(self.database_path)
+        there = has_study(self.path)
         if new and there:
             raise UserError(said("{path:text} holds a study already: go on with `study resume`, extend it with `study add`, or name another --folder",
                                  path=path))
@@ -68,9 +69,9 @@ class StudyFolder:
 
     def give_up(self):
         """Leaves the folder as it was where no study came to be in it."""
-        if os.path.isfile(self.database_path):
+        if has_study(self.path):
             return
-        for path in [self._lock_path, self.base_path, *Path(self.path).glob("study.sqlite.new*")]:
+        for path in [self._lock_path, self.base_path, *Path(self.path).glob(_DATABASE + ".new*")]:
             with contextlib.suppress(FileNotFoundError):
                 os.unlink(path)
         for folder in self._made:
@@ -121,6 +122,11 @@ class StudyFolder:
         """Throws UserError when the base document is not the one that the cases before were made from."""
         if not os.path.isfile(self.base_path) or hash_of_file(self.base_path) != self.database.value("base_hash"):
             raise UserError(said("{path:text} is not as the study made it; start the study anew in another folder", path=self.base_path))
+
+
+def has_study(path):
+    """Is there a study in that folder? "" is none."""
+    return bool(path) and os.path.isfile(os.path.join(path, _DATABASE))
 
 
 def is_same_study(folder, other):

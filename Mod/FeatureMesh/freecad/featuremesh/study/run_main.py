@@ -38,10 +38,10 @@ def main():
 
 def _run(said):
     from freecad.featuremesh.study import base, beginning, design, planning
-    from freecad.featuremesh.study.folder import StudyFolder
+    from freecad.featuremesh.study.folder import StudyFolder, has_study
     from freecad.featuremesh.study.runner import Machine, Runner
     path = said["folder"]
-    if os.path.exists(os.path.join(path, "study.sqlite")):
+    if has_study(path):
         folder = StudyFolder(path)
         folder.lock()
         if said.get("more"):

@@ -16,7 +16,7 @@ from ..errors import UserError
 from ..messages import said
 from ..user_words import in_words
 from . import progress
-from .folder import StudyFolder
+from .folder import StudyFolder, has_study
 
 translate = FreeCAD.Qt.translate
 _SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "run_main.py")
@@ -72,7 +72,7 @@ class WindowRun:
 def how_far(folder, jobs=1, running_since=None):
     """(cases finished, cases in all, seconds left or None) of the study in a folder, (0, 0, None) before it has cases. `running_since` is a dict that remembers from
     one call to the next since when cases run."""
-    if not folder or not os.path.exists(os.path.join(folder, "study.sqlite")):
+    if not has_study(folder):
         return 0, 0, None
     database = StudyFolder(folder).database
     try:
