@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-sys.path.append(str(Path(__file__).resolve().parents[2] / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"))
+ROOT = Path(__file__).resolve().parents[2]
+sys.path += [str(ROOT / "Mod" / "FeatureMesh" / "freecad" / "featuremesh"), str(ROOT / "resources" / "demo")]
 
 import difference_picture  # noqa: E402
 import pictures  # noqa: E402
