@@ -151,12 +151,12 @@ def check_edit(document, live_panel, live):
     """After an edit the old picture is grey until the new one is there; then the change since the last result is at a click."""
     from freecad.featuremesh import live_overlay, live_result, statics_result
     before, largest = live.Proxy.solution, live.MaxMises
-    seen, timed_show = [], statics_result.timed_show
+    seen, show = [], statics_result.show
 
     def looked_at(*words, **options):
         seen.append(hues(on_the_screen()))
-        return timed_show(*words, **options)
-    statics_result.timed_show = looked_at
+        return show(*words, **options)
+    statics_result.show = looked_at
     with runs_of(document) as runs:
         document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("26 mm"))
         document.recompute()
@@ -167,7 +167,7 @@ def check_edit(document, live_panel, live):
     drawn = live.ViewObject.Proxy.drawn
     assert np.ptp(drawn.node_colours, axis=1).max() < 1e-12   # grey
     wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
-    statics_result.timed_show = timed_show
+    statics_result.show = show
     assert runs == [True], runs   # and not once more
     assert seen[-1] > 3000, seen   # in colours before FreeCAD's own result object is made
     spin()

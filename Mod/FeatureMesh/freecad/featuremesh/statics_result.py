@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """FreeCAD's own result object from arrays, without a text file between."""
 
-import time
-
 import FreeCAD
 import numpy as np
 import ObjectsFem
@@ -15,13 +13,6 @@ _TENSOR = (("XX", 0), ("YY", 1), ("ZZ", 2), ("XY", 3), ("YZ", 4), ("XZ", 5))   #
 NODES = "MeshNodes"   # a property of results: the mesh's own numbers of their nodes, row by row, as no edit changes them
 _MASS_FLOW_AND_REST = 8   # figures of FreeCAD's table that are of no concern here: plastic strain, temperature, flow
 _made = {}   # (document's name, object's name) of results and their meshes: the name of their analysis
-
-
-def timed_show(live, analysis, job, same_mesh):
-    """Puts a job's solution into the result object of a live result, whose mesh may be the same already. Returns the seconds for that."""
-    start = time.perf_counter()
-    live.Result = show(analysis, job.statics.arrays, job.fields, same_mesh=same_mesh)
-    return time.perf_counter() - start
 
 
 def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
