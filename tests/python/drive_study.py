@@ -401,6 +401,32 @@ def check_settings(document, study):
     return shown
 
 
+def check_renamed(document, study):
+    """A dimension that was renamed has a row of its own, is told before anything is made, and can be let go."""
+    shown = panel("StudyPanel")
+    tick(shown, "HoleSketch.Hole6X")
+    parameters, folder = list(study.Parameters), study.Folder
+    click_in_panel("Close")
+    number = [constraint.Name for constraint in document.HoleSketch.Constraints].index("Hole6X")
+    document.HoleSketch.renameConstraint(number, "Far")
+    study.ViewObject.doubleClicked()
+    spin()
+    shown = panel("StudyPanel")
+    assert set(study.Parameters) == set(parameters)
+    window.messages.clear()
+    click(shown.run_button)
+    assert "no constraint or property Hole6X" in window.messages[0], window.messages
+    assert study.Folder == folder and shown.results_button.isEnabled()
+    row = shown.dimensions.topLevelItem(shown.dimensions.topLevelItemCount() - 1)
+    assert row.text(0).startswith("HoleSketch.Hole6X="), row.text(0)
+    shown.dimensions.scrollToItem(row)
+    spin()
+    box = shown.dimensions.visualItemRect(row)
+    press_at(shown.dimensions.viewport(), QtCore.QPoint(box.left() + 10, box.center().y()))
+    assert set(study.Parameters) == {text for text in parameters if "Hole6X" not in text}, study.Parameters
+    document.HoleSketch.renameConstraint(number, "Hole6X")
+
+
 def check_stop(shown, study):
     """Stop keeps what is done, Go on runs the rest; a deleted study ends."""
     from freecad.featuremesh.gui import study_runs
@@ -451,7 +477,9 @@ def drive():
     check_theme(study)
     document.save()
     check_copied_folder(document, study)
-    check_stop(check_settings(document, study), study)
+    check_settings(document, study)
+    check_renamed(document, study)
+    check_stop(panel("StudyPanel"), study)
 
 
 window.run(drive)

@@ -14,6 +14,7 @@ from ..user_words import are_lengths_in_mm, as_shown
 translate = FreeCAD.Qt.translate
 _NAME, _RANGE = range(2)
 _VALUE = QtCore.Qt.UserRole + 1   # of a row: its value in words, which its text ends with
+_PARAMETER = QtCore.Qt.UserRole + 2   # of a row of no dimension: the parameter as it was written
 
 
 class DimensionList(QtGui.QTreeWidget):
@@ -30,10 +31,10 @@ class DimensionList(QtGui.QTreeWidget):
         self._items, self._groups = {}, {}   # target -> item, name of an object -> item
         ranges = {text: parameter for text, parameter in ((text, _parsed(text)) for text in parameters)
                   if parameter is not None and parameter.bounds and parameter.target in {entry.target for entry in dimensions}}
-        self._others = [text for text in parameters if text not in ranges]   # lists of values, and what was written by hand
         bounds = {parameter.target: parameter.bounds for parameter in ranges.values()}
         for dimension in dimensions:
             self._add(dimension, bounds.get(dimension.target))
+        self._others = [self._add_other(text) for text in parameters if text not in ranges]
         self.setRootIsDecorated(False)   # the panel may be narrow
         self.setIndentation(8)
         self.setItemDelegateForColumn(_NAME, _Names(self))
@@ -50,7 +51,7 @@ class DimensionList(QtGui.QTreeWidget):
 
     def parameters(self):
         """What is ticked, as the study object has it. Throws UserError for a range that is none."""
-        found = list(self._others)
+        found = [item.data(_NAME, _PARAMETER) for item in self._others if item.checkState(_NAME) == QtCore.Qt.Checked]
         for target, item in self._items.items():
             if item.checkState(_NAME) == QtCore.Qt.Checked:
                 try:
@@ -93,6 +94,17 @@ class DimensionList(QtGui.QTreeWidget):
         self._items[dimension.target] = item
         self._groups[owner.Name].addChild(item)
 
+    def _add_other(self, text):
+        """A row for a list of values, for what was written by hand, and for what the part has no more: as it is, until it is not ticked any more."""
+        item = QtGui.QTreeWidgetItem([text])
+        item.setToolTip(_NAME, text)
+        item.setFlags(QtCore.Qt.ItemIsEnabled | QtCore.Qt.ItemIsSelectable | QtCore.Qt.ItemIsUserCheckable)
+        item.setCheckState(_NAME, QtCore.Qt.Checked)
+        item.setData(_NAME, _PARAMETER, text)
+        self.addTopLevelItem(item)
+        item.setFirstColumnSpanned(True)
+        return item
+
     @staticmethod
     def _range_of(item):
         """What was shown counts as long as nothing else is typed: the text is rounded. Throws ValueError."""
@@ -111,7 +123,7 @@ class DimensionList(QtGui.QTreeWidget):
         item.setToolTip(_RANGE, item.text(_RANGE))
 
     def _took(self, item, column):
-        if column == _NAME:
+        if column == _NAME and item.data(_NAME, _PARAMETER) is None:
             self.blockSignals(True)
             if item.checkState(_NAME) != QtCore.Qt.Checked:
                 item.setText(_RANGE, "")
@@ -119,7 +131,7 @@ class DimensionList(QtGui.QTreeWidget):
                 self._show_range(item, item.data(_NAME, QtCore.Qt.UserRole))
             self.blockSignals(False)
             self._give_room()
-        else:
+        elif column == _RANGE:
             self.blockSignals(True)
             item.setToolTip(_RANGE, item.text(_RANGE))
             self.blockSignals(False)

@@ -6,7 +6,7 @@ import shutil
 
 import FreeCAD
 
-from .. import api, documents, engine, preferences, resolving, solvers, statics, statics_model, versions
+from .. import api, documents, edits, engine, preferences, resolving, solvers, statics, statics_model, versions
 from ..errors import UserError
 from ..messages import said
 from ..proxies import Stateless, add_missing
@@ -125,7 +125,8 @@ def study_of(obj, document_path):
 def start(obj):
     """Writes the document as it is and the study into a new folder, and runs it there. Returns the window_run.WindowRun. Throws UserError, and
     leaves no folder then."""
-    study_of(obj, "")   # whatever is wrong is told before anything is written
+    for parameter in study_of(obj, "").parameters:   # whatever is wrong is told before anything is written
+        edits.parameter_value(obj.Document, parameter.target, parameter.unit)
     folder = window_run.new_folder(obj.Document.FileName, obj.Name)
     try:
         os.makedirs(folder)
