@@ -128,6 +128,26 @@ class Edits(unittest.TestCase):
         self.sketch.setExpression("Constraints.X", "20 mm")
         self.refused("HoleSketch.X=3", "driven by the expression")
 
+    def test_a_configuration_is_chosen(self):
+        """As FreeCAD's table of configurations makes it, whose list of names is an expression."""
+        sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
+        for cell, value in (("B2", "=1"), ("A3", "small"), ("B3", "=8"), ("C3", "=4"), ("A4", "large"), ("B4", "=14"), ("C4", "=7")):
+            sheet.set(cell, value)
+        sheet.setAlias("B2", "thickness")
+        self.document.recompute()
+        self.body.addProperty("App::PropertyEnumeration", "Variant")
+        self.body.setExpression("Variant.Enum", "Sheet.cells[<<A3:|>>]")
+        row = "str(hiddenref(Body.Variant) + 3)"
+        sheet.setExpression(".cells.Bind.B2.C2", "tuple(.cells; <<B>> + %s; <<C>> + %s)" % (row, row))
+        self.document.recompute()
+        self.plate.setExpression("Length", "Sheet.thickness")
+        self.document.recompute()
+        for name, thickness in (("large", 14), ("small", 8)):
+            self.set("Body.Variant=" + name)
+            self.assertAlmostEqual(self.body.Shape.BoundBox.ZLength, thickness)
+        self.refused("Body.Variant=huge", "only one of: small, large")
+        self.refused("Sheet.thickness=3", "")
+
     def test_unknown_names_come_with_near_ones(self):
         self.refused("Plat.Length=3", "no object Plat; did you mean Plate")
         self.refused("Plate.Lenght=3", "no property Lenght; did you mean Length")

@@ -249,7 +249,8 @@ def _alias(sheet, name):
 
 def _refuse_expression(obj, path):
     for bound, expression in obj.ExpressionEngine:
-        if bound.lstrip(".") == path or bound.lstrip(".").startswith(path + "."):
+        bound = bound.lstrip(".")
+        if bound == path or bound.startswith(path + ".") and bound != path + ".Enum":   # that is the list to choose from, as of a table of configurations
             raise _driven(obj, path, expression)
 
 
