@@ -1,15 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """OBJECT.PROPERTY=VALUE: every kind of target, and every way to get it wrong."""
+import os
+import shutil
+import tempfile
 import unittest
+from types import SimpleNamespace
 
+import FreeCAD
 from freecad.featuremesh.edits import is_whole_number, parameter_value, set_parameter
 from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.study import case_run, dimensions
 from parts import new_document, placement, plate_with_hole
 
 
 class Edits(unittest.TestCase):
 
     def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
         self.document = new_document()
         self.body = plate_with_hole(self.document)
         self.plate = self.document.getObject("Plate")
@@ -147,6 +155,28 @@ class Edits(unittest.TestCase):
             self.assertAlmostEqual(self.body.Shape.BoundBox.ZLength, thickness)
         self.refused("Body.Variant=huge", "only one of: small, large")
         self.refused("Sheet.thickness=3", "")
+
+    def test_a_case_of_a_study_cannot_be_made_where_what_its_part_comes_from_was_in_error_before(self):
+        moved = self.document.addObject("Part::Mirroring", "Mirror")
+        moved.Source = self.body
+        self.document.recompute()
+        self.plate.Length = 0
+        self.document.recompute()
+        self.assertTrue(moved.Shape.isValid())   # as it was
+        with self.assertRaisesRegex(case_run.Infeasible, "cannot recompute Plate"):
+            case_run.edit(SimpleNamespace(document=self.document, part=moved), {"set": ["HoleSketch.X=22"]})
+
+    def test_dimensions_of_other_documents_are_none_of_a_study(self):
+        """They would be looked for in the study's document, where another object may have the name."""
+        other = FreeCAD.newDocument("Other")
+        self.addCleanup(FreeCAD.closeDocument, other.Name)
+        for document in (self.document, other):
+            document.saveAs(os.path.join(self.folder, document.Name + ".FCStd"))
+        fused = other.addObject("Part::Fuse", "Fused")
+        fused.Base, fused.Tool = other.addObject("Part::Box", "Plate"), other.addObject("App::Link", "Link")
+        fused.Tool.LinkedObject = self.body
+        other.recompute()
+        self.assertEqual({dimension.target for dimension in dimensions.of_part(fused)}, {"Plate.Length", "Plate.Width", "Plate.Height"})
 
     def test_unknown_names_come_with_near_ones(self):
         self.refused("Plat.Length=3", "no object Plat; did you mean Plate")

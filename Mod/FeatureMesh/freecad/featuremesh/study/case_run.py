@@ -7,7 +7,7 @@ import os
 import shutil
 import traceback
 
-from .. import api, documents, engine, reading, state, versions
+from .. import api, documents, engine, reading, recompute_errors, state, versions
 from ..errors import UserError
 from ..messages import of_error, said, several
 from ..mesh_object import element_count
@@ -85,7 +85,9 @@ def edit(base, case):
     try:
         api.set_parameters(base.document, case["set"])
         api.recompute(base.document)
-        reading.refuse_errors(base.part)
+        error = recompute_errors.error_of_part(base.part, recompute_errors.in_error(base.document))
+        if error:   # also from before: what depends on it is as it was
+            raise error
         reading.refuse_unmeshable(base.part)
     except UserError as error:
         raise Infeasible(of_error(error)) from error

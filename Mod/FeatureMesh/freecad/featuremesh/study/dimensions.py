@@ -34,11 +34,11 @@ class Dimension:
 
 
 def of_part(part):
-    """Every Dimension of the part, in the order in which it is built."""
+    """Every Dimension of the part that is in its document, in the order in which it is built."""
     found, seen = [], set()
     for obj in reading.dependencies(part):
         for owner in (obj, *_sketches_and_sheets(obj)):
-            if owner.Name not in seen:
+            if owner.Document is part.Document and owner.Name not in seen:
                 seen.add(owner.Name)
                 found += of_object(owner)
     return found
