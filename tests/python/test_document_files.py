@@ -139,6 +139,30 @@ class Files(unittest.TestCase):
         self.document.saveCopy(opened.FileName)
         self.not_replaced(opened, "altered.FCStd was saved by another program meanwhile")
 
+    def test_a_copy_elsewhere_has_its_links_to_other_documents(self):
+        """By an object and by an expression; FreeCAD's own copy looks for them in its own folder."""
+        self.document.saveAs(os.path.join(self.folder, "Teil & 'ä' 50%.FCStd"))
+        linking = FreeCAD.newDocument("Linking")
+        self.addCleanup(lambda: FreeCAD.closeDocument(linking.Name) if linking in FreeCAD.listDocuments().values() else None)
+        linking.saveAs(os.path.join(self.folder, "linking.FCStd"))
+        link = linking.addObject("App::Link", "Link")
+        link.LinkedObject = self.document.getObject("Body")
+        linking.addObject("Part::Box", "Box").setExpression("Height", self.document.Name + "#Plate.Length")
+        linking.recompute()
+        linking.save()
+        os.mkdir(os.path.join(self.folder, "study"))
+        path = os.path.join(self.folder, "study", "copy.FCStd")
+        documents.save_document(linking, path)
+        for name in list(FreeCAD.listDocuments()):
+            FreeCAD.closeDocument(name)
+        linking = documents.open_document(path)
+        self.assertIsNotNone(linking.Link.LinkedObject)
+        linking.Link.LinkedObject.Document.getObject("Plate").Length = 12
+        linking.Link.LinkedObject.Document.recompute()
+        linking.recompute()
+        self.assertAlmostEqual(linking.Link.Shape.BoundBox.ZLength, 12)
+        self.assertEqual(linking.Box.Height.Value, 12)
+
     def test_colours_of_the_file_survive(self):
         view = b'<?xml version="1.0"?><Document><ViewProviderData><ViewProvider name="Body"><Property file="DiffuseColor"/></ViewProvider></ViewProviderData></Document>'
         with zipfile.ZipFile(self.path, "a") as archive:

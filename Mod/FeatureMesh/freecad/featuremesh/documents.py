@@ -9,7 +9,7 @@ import zlib
 from dataclasses import dataclass
 from xml.etree import ElementTree
 from xml.parsers import expat
-from xml.sax.saxutils import quoteattr
+from xml.sax.saxutils import escape, quoteattr, unescape
 
 import FreeCAD
 
@@ -17,7 +17,9 @@ from . import analyses, orphans, reading, versions
 from .errors import UserError
 from .messages import of_error, said
 
+_LINK = re.compile(rb'(<XLink file=")([^"]+)')   # to another document, as seen from the folder of this one
 _OBJECT = re.compile(r'<Object type="([^"]*)" name="([^"]*)"')   # in the list of a document's objects
+_QUOTES = {"&quot;": '"', "&apos;": "'"}
 # By the name of each document that was opened.
 _opened = {}
 _FROM_THE_CORNER = 1, -1, 1
@@ -74,6 +76,8 @@ def save_document(document, path):
     temporary = os.path.join(folder, ".%s.%d.FCStd" % (name, os.getpid()))
     try:
         document.saveCopy(temporary)
+        if document.FileName:
+            _keep_links(temporary, os.path.dirname(os.path.realpath(document.FileName)), folder)
         if not FreeCAD.GuiUp:
             add_view(document, temporary)
         _refuse_half_written(temporary)
@@ -160,6 +164,20 @@ def _remove(names, folder):
             os.unlink(os.path.join(folder, name))
         except OSError:
             pass  # another user's: it does no harm
+
+
+def _keep_links(path, source, folder):
+    """Lets the links to other documents of a copy lead where they led from the folder `source`; FreeCAD writes the same words in each folder."""
+    with zipfile.ZipFile(path) as archive:
+        written = archive.read("Document.xml")
+        members = [] if source == folder or not _LINK.search(written) else [(member, archive.read(member)) for member in archive.infolist()]
+    if members:
+        def moved(found):
+            place = os.path.relpath(os.path.join(source, unescape(found[2].decode(), _QUOTES)), folder)
+            return found[1] + escape(place, {value: name for name, value in _QUOTES.items()}).encode()
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+            for member, content in members:
+                archive.writestr(member, _LINK.sub(moved, written) if member.filename == "Document.xml" else content, zipfile.ZIP_DEFLATED)
 
 
 def add_view(document, path):
