@@ -287,6 +287,28 @@ class AfterTheMesh(unittest.TestCase):
         self.update()
         self.check(support, 6)
 
+    def test_what_a_study_asks_for_at_faces_goes_with_them(self):
+        self.document.UndoMode = 1
+        faces = {self.bracket.label("Face%d" % number): "Face%d" % number for number in range(1, len(self.body.Shape.Faces) + 1)}
+        study = study_object.add(self.body, self.document.Analysis)
+        one, other = faces[("Hole", 4)], faces[("Hole", 6)]
+        before = ["mass", "max_mises@" + one, "top = max_displacement@%s:p95" % one, "max_mises@" + other, "max_mises@Fillet"]
+        study.Responses = before
+        names = [self.bracket.label(name) for _, name in names_of(study)]
+        self.assertEqual(names, [("Hole", 4), ("Hole", 6)] if one < other else [("Hole", 6), ("Hole", 4)])
+        self.update()
+        self.document.openTransaction("Delete a hole, and give the faces of others other numbers")
+        self.document.HoleSketch.delGeometry(5)
+        self.document.HoleSketch.delGeometry(0)
+        self.update()
+        self.document.commitTransaction()
+        now = study.Responses[1].partition("@")[2]
+        self.assertEqual(self.bracket.label(now), ("Hole", 4))
+        self.assertNotEqual(now, one)
+        self.assertEqual(study.Responses, ["mass", "max_mises@" + now, "top = max_displacement@%s:p95" % now, "max_mises@Fillet"])
+        self.document.undo()
+        self.assertEqual(study.Responses, before)
+
     def test_a_case_of_a_study_without_a_mesh(self):
         """Shown in the document, the part as it is is meshed first: a load stays on its face, and one that is lost comes back with the part as it was."""
         self.document.removeObject(self.mesh.Name)

@@ -3,6 +3,7 @@
 
 import FreeCAD
 
+from . import versions
 from .errors import UserError
 from .messages import said
 from .proxies import type_of
@@ -10,7 +11,7 @@ from .reading import describe, refuse_gone
 from .resolving import Resolver
 
 translate = FreeCAD.Qt.translate
-_OURS, SHARED = "Fem::FeatureMesh", "Fem::FeatureMeshShared"
+_OURS, SHARED, _STUDY = "Fem::FeatureMesh", "Fem::FeatureMeshShared", "FeatureMesh::Study"
 
 
 def for_new_mesh(part, active=None):
@@ -82,6 +83,13 @@ def meshes_of(analysis):
     """The meshes among the members of an analysis, those of results apart."""
     return [member for member in analysis.Group if member.isDerivedFrom("Fem::FemMeshObject")
             and type_of(member) != "Fem::MeshResult" and not getattr(member, "Suppressed", False)]
+
+
+def studies_of(mesh):
+    """The studies whose faces, edges and vertices go with this mesh: of several meshes of their part with the first."""
+    part, document = versions.part_of(mesh), mesh.Document
+    first = next((obj for obj in document.Objects if type_of(obj) == _OURS and versions.part_of(obj) is part), None)
+    return [obj for obj in document.Objects if type_of(obj) == _STUDY and getattr(obj, "Part", None) is part] if first is mesh else []
 
 
 def is_ours(mesh):

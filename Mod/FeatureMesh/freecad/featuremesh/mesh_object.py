@@ -423,9 +423,9 @@ class FeatureMesh(Stateless):
         return hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, versions.part_of(mesh), raw))
 
     def _dependents(self, mesh):
-        """Constraints and materials of the analyses with this mesh, and its group objects."""
+        """Constraints and materials of the analyses with this mesh, its group objects, and studies of its part."""
         members = [member for analysis in analyses.holding(mesh) for member in analysis.Group]
-        return members + list(mesh.MeshGroupList)
+        return members + list(mesh.MeshGroupList) + analyses.studies_of(mesh)
 
     def _referring(self, mesh):
         """Everything whose references are of this mesh's part."""

@@ -127,14 +127,17 @@ def follow(obj, known, resolver, numbering):
 
     `known` is what record_of said of it, `numbering` the Numbering from then to now.
     """
-    now, lost, lines = [], [], []
+    now, lost, lines, moved = [], [], [], {}
     chosen = _chosen_by_freecad(obj, resolver) if versions.follows_faces() else []
     for name in known["names"]:
-        found = numbering.now(name) or _not_a_stranger(name, chosen, numbering)
+        found = moved[name] = numbering.now(name) or _not_a_stranger(name, chosen, numbering)
         lines += _what_happened(obj, name, found, numbering, known["names"])
         now += [new for new in found if new not in now]
         if not found:
             lost.append(name)
+    if hasattr(getattr(obj, "Proxy", None), "places_moved"):   # a study, which names them in words
+        obj.Proxy.places_moved(obj, moved)
+        return lines + [said(_TAKEN_OUT, object=obj.Label, lost=[name]) for name in lost], {}
     is_elsewhere = bool(resolver.of_object(obj)[1])   # the mesh was given another part
     if may_change(obj, resolver) and (lost or now != known["names"] or plain_pairs(obj) != known["pairs"] or is_elsewhere):
         _refer(obj, resolver.bearer, now)

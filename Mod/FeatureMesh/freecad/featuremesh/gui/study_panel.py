@@ -67,7 +67,9 @@ class StudyPanel(ClosesWithObject):
         self.refresh()
 
     def refresh(self):
-        """Brings the status up to date with what runs."""
+        """Brings the status up to date with what runs, and the responses with the faces that an edit gave other numbers."""
+        if self._asked != list(self.study.Responses):
+            self._fill_responses()
         run = study_runs.run_of(self.study)
         running = run is not None and run.is_running()
         unreadable = ""
@@ -125,9 +127,13 @@ class StudyPanel(ClosesWithObject):
 
     def _fill_responses(self):
         """Those that the analysis gives, and whatever else is asked for already."""
+        self.responses.blockSignals(True)
+        self.responses.clear()
         known = _GIVEN_BY.get(self._kind, _GIVEN_BY["static"])
         for text in dict.fromkeys([*known[:1], study_object.extent_of(self.study.Part), *known[1:], *self.study.Responses]):
             self._add_response(text, text in self.study.Responses)
+        self.responses.blockSignals(False)
+        self._asked = list(self.study.Responses)
 
     def _add_response(self, text, ticked):
         try:
@@ -220,6 +226,7 @@ class StudyPanel(ClosesWithObject):
             return
         rows = [self.responses.item(row) for row in range(self.responses.count())]
         study.Responses = [item.data(QtCore.Qt.UserRole) for item in rows if item.checkState() == QtCore.Qt.Checked]
+        self._asked = list(study.Responses)
         study.Sampling, study.Cases = self.sampling.itemData(self.sampling.currentIndex()), self.cases.value()
         study.Solver, study.Jobs = self.solver.itemData(self.solver.currentIndex()), self.jobs.value()
         self.cases.setEnabled(study.Sampling in design.COUNTED)

@@ -2,6 +2,7 @@
 """The study in a document's tree: what is varied and asked for, and the folder with what came out."""
 
 import os
+import re
 import shutil
 
 import FreeCAD
@@ -11,7 +12,7 @@ from ..errors import UserError
 from ..messages import said
 from ..proxies import Stateless, add_missing
 from ..reading import describe
-from . import dimensions, study_file, window_run
+from . import dimensions, places, study_file, window_run
 from .design import COUNTED, SAMPLINGS, Study, check, parse_parameter, read_toml
 from .folder import is_same_study
 from .response_words import parse_response
@@ -19,6 +20,7 @@ from .response_words import parse_response
 translate = FreeCAD.Qt.translate
 
 _SAMPLINGS = [name for name in SAMPLINGS if name != "csv"]
+_PLACE = re.compile(r"(?<=@)\w+")   # in the text of a response
 _ANY_SOLVER = "automatic"
 # What is asked for where the user says nothing, by FreeCAD's kind of analysis.
 USUAL_RESPONSES = {"static": ["mass", "max_mises", "max_displacement"], "thermomech": ["max_temperature", "max_mises", "max_displacement"],
@@ -37,6 +39,7 @@ PROPERTIES = [
     ("App::PropertyInteger", "Jobs", "Study", 0, False, "Cases at once; 0: as many as the processors"),
     ("App::PropertyFloat", "SecondsLimit", "Study", 3600.0, False, "A case that takes longer is ended"),
     ("App::PropertyStringList", "Keep", "Study", [], False, "Files to keep of each case: mesh, inp, frd"),
+    ("App::PropertyLinkSubListHidden", "References", "Study", None, True, "The faces, edges and vertices of the responses, which are followed through edits"),
     ("App::PropertyString", "Folder", "Result", "", False, "Where the cases are kept"),
 ]
 
@@ -56,11 +59,41 @@ class StudyObject(Stateless):
     def onDocumentRestored(self, obj):
         self._get_ready(obj)
 
+    def onChanged(self, obj, name):
+        if name in ("Part", "Responses") and not (FreeCAD.isRestoring() or obj.Document.Transacting):
+            self._refer(obj)
+
+    def places_moved(self, obj, moved):
+        """What is asked for at faces, edges and vertices goes with them: `moved` has the names of what each became."""
+        responses = []
+        for text in obj.Responses:
+            place = _PLACE.search(text)
+            pieces = moved.get(place[0]) if place else None
+            responses += [text] if pieces is None else [text[:place.start()] + piece + text[place.end():] for piece in pieces]
+        obj.Responses = list(dict.fromkeys(responses))
+
+    @staticmethod
+    def _refer(obj):
+        """The mesh moves references along with what they mean."""
+        if "References" in obj.PropertiesList:
+            names = sorted({name for text in obj.Responses for name in _places_of(text)})
+            obj.References = [(obj.Part, names)] if names and obj.Part is not None else []
+
     def _get_ready(self, obj):
-        if "Sampling" in add_missing(obj, PROPERTIES, [name for _, name, *_ in PROPERTIES]):
+        added = add_missing(obj, PROPERTIES, [name for _, name, *_ in PROPERTIES], hidden=("References",))
+        if "Sampling" in added:
             obj.Sampling = "lhs"
+        elif "References" in added:
+            self._refer(obj)
         for hook in on_ready:
             hook(obj)
+
+
+def _places_of(text):
+    try:
+        return places.of_nodes([parse_response(text)])
+    except UserError:   # told when it runs
+        return []
 
 
 # Called with every study object that was made or opened; the window's side adds its view there.

@@ -180,6 +180,10 @@
       <translation>Die Flächen, die verbundene Bauteile sich teilen</translation>
     </message>
     <message>
+      <source>The faces, edges and vertices of the responses, which are followed through edits</source>
+      <translation>Die Flächen, Kanten und Eckpunkte der Zielgrößen, denen durch Änderungen gefolgt wird</translation>
+    </message>
+    <message>
       <source>The mesh object whose mesh this analysis is solved with</source>
       <translation>Das Netzobjekt, mit dessen Netz diese Analyse gelöst wird</translation>
     </message>
