@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What does not fit the part is not solved, by none of FreeCAD's ways, and a result says when it is from before the last edit."""
 import importlib
+import os
 import shutil
 import tempfile
 import unittest
@@ -12,6 +13,10 @@ import ObjectsFem
 from femtools import ccxtools
 from freecad.featuremesh import api, mesh_properties, references, results, solve_guard, versions
 from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.study import base as study_base
+from freecad.featuremesh.study import case_run
+from freecad.featuremesh.study.design import Study
+from freecad.featuremesh.study.response_words import parse_response
 from parts import new_document
 from test_document_solving import FORCE, STEEL, analysis_of, face_at
 
@@ -54,6 +59,32 @@ class SolveGuard(unittest.TestCase):
 
     def test_an_up_to_date_mesh_may_be_solved(self):
         self.assertEqual((solve_guard.reason(self.analysis), self.problem()), ("", ""))
+
+    def test_a_study_solves_nothing_with_a_load_that_has_lost_its_face(self):
+        """Neither in a case nor where the document has lost it before."""
+        self.document = new_document()
+        part = self.document.addObject("Part::Cut", "Drilled")
+        part.Base, part.Tool = self.document.addObject("Part::Box", "Block"), self.document.addObject("Part::Cylinder", "Drill")
+        part.Tool.Placement.Base = FreeCAD.Vector(5, 5, 0)
+        self.document.recompute()
+        self.analysis = analysis_of(self.document, part, [("Steel", STEEL, [])])
+        load = ObjectsFem.makeConstraintPressure(self.document, "Load")
+        load.References = [(part, name) for name in ("Face%d" % n for n in range(1, 8)) if part.Shape.getElement(name).Surface.TypeId == "Part::GeomCylinder"]
+        self.analysis.addObject(load)
+        api.add_mesh(part, 5, order=1)
+        self.document.recompute()
+        asked = Study(os.path.join(self.folder, "part.FCStd"), [], [parse_response("max_mises")], solver="ccx").to_plain()
+        self.document.saveAs(asked["document"])
+        base = os.path.join(self.folder, "base.FCStd")
+        study_base.make(asked, base)
+        found = case_run.run(case_run.Base(base, asked, "ccx"), {"id": 1, "parameters": {}, "set": ["Drill.Placement.Base.x=100"], "folder": self.folder})
+        self.assertEqual(found["state"], "failed", found)
+        self.assertIn("Load refers to Face7, which is gone", str(found["message"]))
+        self.document.Drill.Placement.Base.x = 100
+        self.document.recompute()
+        self.document.save()
+        with self.assertRaisesRegex(UserError, "Load refers to Face7, which is gone"):
+            study_base.make(asked, base)
 
     def test_an_old_mesh_is_solved_by_no_way(self):
         self.mesh.Automatic = False

@@ -33,6 +33,10 @@ def reason(analysis):
             or _without_elements(analysis, mesh) if analyses.is_ours(mesh) else ""
         if problem:
             return problem
+    return _lost(analysis)
+
+
+def _lost(analysis):
     return next((sentence for _, sentence in references.unmended(analysis)), "") if analysis is not None else ""
 
 
@@ -85,6 +89,12 @@ def refuse(analysis):
     """Throws UserError when the analysis must not be solved now."""
     if reason(analysis):
         raise UserError(reason(analysis))
+
+
+def refuse_lost(analysis):
+    """Throws UserError when a load of the analysis has lost its face, or what it acts along."""
+    if _lost(analysis):
+        raise UserError(_lost(analysis))
 
 
 def install():

@@ -5,7 +5,7 @@ import os
 
 from femtools import femutils
 
-from .. import analyses, api, documents, edits, engine, formats, live_result, mesh_object, reading, statics, statics_model, versions
+from .. import analyses, api, documents, edits, engine, formats, live_result, mesh_object, reading, solve_guard, statics, statics_model, versions
 from ..errors import UserError
 from ..messages import said
 from . import places, response_words, responses
@@ -109,6 +109,7 @@ def _solver(document, study, mesh):
     if mesh not in analysis.Group:
         raise UserError(said("the analysis {analysis:text} has another mesh than {mesh:text}",
                              analysis=reading.describe(analysis), mesh=reading.describe(mesh)))
+    solve_guard.refuse_lost(analysis)
     chosen = study.solver or ("live" if _live_can(analysis, mesh, study) else "ccx")
     if chosen == "live":
         if engine.load().statics_missing():

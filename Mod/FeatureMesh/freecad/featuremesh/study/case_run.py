@@ -7,7 +7,7 @@ import os
 import shutil
 import traceback
 
-from .. import api, documents, engine, reading, recompute_errors, state, versions
+from .. import api, documents, engine, reading, recompute_errors, solve_guard, state, versions
 from ..errors import UserError
 from ..messages import of_error, said, several
 from ..mesh_object import element_count
@@ -112,6 +112,7 @@ def _mesh(base, seconds):
 def _solve(base, arrays, folder, seconds):
     if not response_words.needs_solution(base.study.responses):
         return None
+    solve_guard.refuse_lost(base.analysis)
     if base.solver == "live":
         with step(seconds, "solve"):
             return case_solver.solve_live(base.analysis, base.study.threads, base.solution)
