@@ -58,6 +58,7 @@ class FaceCover {
 
   private:
     using Range = std::array<double, 2>;
+    static constexpr int most_halvings = 1 << 20;  // so many pieces have ten million triangles
     static double at(const Range& r, int i, int n) { return r[0] + (r[1] - r[0]) * i / n; }
 
     int pieces(GeomAbs_SurfaceType type, int otherwise, bool along_u) const {
@@ -91,7 +92,7 @@ class FaceCover {
             {distance(p[1].point, p[3].point), distance(p[2].point, p[4].point), length(p[0].dv) * (v[1] - v[0])});
         const bool is_too_long = std::max(along_u, along_v) > 2 * size;
         if (size >= limit_ && (!may_be_anywhere_ || !is_too_long || depth >= 12)) return;
-        if (is_too_long && depth < 24) {
+        if (is_too_long && depth < 24 && ++halvings_ < most_halvings) {
             const bool split_u = along_u >= along_v;
             cover(split_u ? Range{u[0], mu} : u, split_u ? v : Range{v[0], mv}, depth + 1);
             cover(split_u ? Range{mu, u[1]} : u, split_u ? v : Range{mv, v[1]}, depth + 1);
@@ -112,6 +113,7 @@ class FaceCover {
     const double limit_;
     const bool may_be_anywhere_;
     std::vector<SourceBall>& out_;
+    int halvings_ = 0;
     Range u_{}, v_{};
     std::optional<BRepTopAdaptor_FClass2d> trim_;
 };

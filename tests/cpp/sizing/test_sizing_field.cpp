@@ -185,6 +185,16 @@ TEST_CASE("a local size on a planar face covers all of it and little else") {
     }
 }
 
+TEST_CASE("a local size far too small for a face is taken in bounded work, and asks for too much") {
+    const Brep brep = block();
+    SizingOptions options = of_size(10);
+    options.local = {{entity_of(FaceId(0)), 1e-7}};
+    const SizingField field = sizing_of(brep, options);
+    CHECK(field.smallest() == 1e-7);
+    CHECK(may_ask_for_more_tets(brep, field, 5e7));
+    CHECK(estimate_tets(brep, field) > 5e7);
+}
+
 TEST_CASE("a local size in one of two solids stays there") {
     TopoDS_Compound both;
     BRep_Builder builder;
