@@ -304,8 +304,11 @@ class Matcher {
         });
     }
 
+    /// No smaller than a share of the shape, however small the elements are: a mesh in other units would take all
+    /// memory.
     double spacing() {
-        if (spacing_ == 0) spacing_ = 0.5 * mean_side(mesh_);
+        constexpr double least_share = 1e-3;
+        if (spacing_ == 0) spacing_ = std::max(0.5 * mean_side(mesh_), least_share * brep_.tolerances().diagonal);
         return spacing_;
     }
 

@@ -108,3 +108,10 @@ TEST_CASE("a mesh of which nothing fits is refused with its reason") {
     CHECK_THROWS_WITH(fitted(elsewhere, foreign_copy(ours->mesh)),
                       Catch::Matchers::StartsWith("No element of the mesh fits the part: "));
 }
+
+TEST_CASE("a mesh in other units is refused, too, however much of the part it leaves bare") {
+    Mesh metres = foreign_copy(meshed_plate(1)->mesh);
+    for (Vec3& p : metres.points) p *= 1e-3;
+    const Brep rod(BRepPrimAPI_MakeBox(gp_Pnt(10, 0, 0), 100, 2, 2).Shape());
+    CHECK_THROWS_AS(fitted(rod, metres), InputError);
+}
