@@ -163,6 +163,7 @@ class Transfer {
     }
 
     TransferredField run(double same_place) {
+        if (outer_.empty()) throw InputError(say<Code::no_values>());
         recover_gradients();
         std::vector<std::int32_t> same = same_nodes(same_place);
         if (same_place > 0) add_nodes_in_place(same_place, same);
@@ -189,7 +190,10 @@ class Transfer {
         TriangleUses uses(old_);
         for (std::size_t b = 0; b < uses.bucket_count(); ++b)
             uses.visit_bucket(b, [&](std::span<const TriangleUse> meeting) {
-                if (!meeting[0].is_tet() || (meeting.size() > 1 && meeting[1].is_tet())) return;
+                const auto is_before = [&](const TriangleUse& use) {
+                    return use.is_tet() && use.is_forward() != meeting[0].is_forward();
+                };
+                if (!meeting[0].is_tet() || std::any_of(meeting.begin(), meeting.end(), is_before)) return;
                 OuterTriangle triangle{meeting[0].element(), {}};
                 const std::array<std::size_t, 3> nodes{b, meeting[0].middle, meeting[0].largest};
                 for (int k = 0; k < 3; ++k)
@@ -261,7 +265,7 @@ class Transfer {
     void add_nodes_in_place(double same_place, std::vector<std::int32_t>& same) const {
         std::vector<Box> boxes(old_.node_count());
         for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i].add(old_.points[i]);
-        const BoxTree places(std::move(boxes));
+        const BoxTree places(boxes);
         parallel_for(context_, same.size(), 1024, [&](std::size_t begin, std::size_t end) {
             for (std::size_t n = begin; n < end; ++n) {
                 if (same[n] >= 0) continue;

@@ -171,6 +171,27 @@ TEST_CASE("old tets without volume, which other makers' meshes may have, tell no
     CHECK(largest_difference(after->mesh, found, linear, ValueSource::inside) < 1e-11);
 }
 
+TEST_CASE("an old mesh that has every tet twice has a boundary, too") {
+    MeshOptions options;
+    options.sizing.size = 3;
+    RunContext context;
+    const auto block = [&](double height, NextNumbers next) {
+        const RawDocument document = PartDocument().box("Part", {0, 0, 0}, {20, 15, height}).finish();
+        return mesh_part(document, options, context, next).part_mesh;
+    };
+    const auto before = block(10, {}), after = block(14, {1000000, 1000000});
+    Mesh doubled = before->mesh;
+    for (const auto& tet : before->mesh.tets) doubled.add_tet(tet, SolidId(std::size_t{0}));
+    const std::vector<double> values = sampled(doubled, linear);
+    const TransferredField found = carried(doubled, after->mesh, values);
+    CHECK(std::count(found.sources.begin(), found.sources.end(), ValueSource::outside) > 10);
+    CHECK(found.values == carried(before->mesh, after->mesh, values).values);
+
+    Mesh both_ways = before->mesh;  // no side of any facet is free
+    for (const auto& [a, b, c, d] : before->mesh.tets) both_ways.add_tet({a, c, b, d}, SolidId(std::size_t{0}));
+    CHECK_THROWS_AS(carried(both_ways, after->mesh, values), InputError);
+}
+
 TEST_CASE("values go along with a feature that moved, and sizes are checked") {
     const auto boss = [](double x) {
         return PartDocument()
