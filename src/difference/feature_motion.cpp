@@ -105,6 +105,7 @@ RigidMotion shift(const Vec3& from, const Vec3& to) {
 /// From three points far apart and their partners in the same order.
 std::optional<RigidMotion> from_three_points(const std::vector<Vec3>& from, const std::vector<Vec3>& to,
                                              double tolerance) {
+    if (from.empty()) return std::nullopt;
     std::size_t b = 0, c = 0;
     for (std::size_t i = 0; i < from.size(); ++i)
         if (distance(from[i], from[0]) > distance(from[b], from[0])) b = i;

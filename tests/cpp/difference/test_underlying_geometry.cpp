@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "catch.h"
+#include "difference/feature_motion.h"
 #include "difference/surface_chart.h"
 
 using namespace featuremesh;
@@ -167,4 +168,12 @@ TEST_CASE("parameters of points on a spline surface are found inside and along i
             CHECK(std::abs((*last)[1] - uv[1]) < 1e-6 * (v1 - v0));
         }
     CHECK_FALSE(chart.parameters({50, 30, 1000}, last));
+}
+
+TEST_CASE("volumes without edges, of which no points are known, are no image of one another") {
+    VolumeOutline small, large;
+    small.faces.resize(1), large.faces.resize(1);
+    small.faces[0].kind = large.faces[0].kind = SurfaceKind::sphere;
+    small.faces[0].radius = 1, large.faces[0].radius = 2;
+    CHECK_FALSE(motion_between(small, large, RigidMotion{}, {1e-7, {0, 0, 0}, 10}).has_value());
 }
