@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "brep/face_probe.h"
@@ -26,7 +25,7 @@ class Matcher {
             final_faces_.emplace_back(final_shape.face(FaceId(f)));
             boxes.push_back(final_faces_.back().box().grown(boolean_tolerance));
         }
-        tree_.emplace(std::move(boxes));
+        tree_.emplace(boxes);
         model.owners_of_final_face.assign(final_shape.face_count(), {});
     }
 
@@ -39,9 +38,7 @@ class Matcher {
         // them.
         for (std::size_t f = 0; f < final_faces_.size(); ++f)
             if (model_.owners_of_final_face[f].empty()) find_owners(FaceId(f), false);
-        for (auto& owners : model_.owners_of_final_face) {
-            sort_once(owners);
-        }
+        for (auto& owners : model_.owners_of_final_face) sort_once(owners);
     }
 
   private:

@@ -21,7 +21,7 @@ struct BorderStep {
     Parameters begin, end;
 };
 
-/// Nearest whole multiple of `distance` by component; 0 where a period is 0, for a parameter that has none.
+/// Whole multiple of the period nearest to `distance`, by component; 0 for a parameter that has no period.
 Parameters whole_periods(const Parameters& distance, const Parameters& period);
 
 /// By step, what is to be added to its parameters so that the steps follow on one another. The kernel lets an edge's
