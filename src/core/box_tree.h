@@ -40,7 +40,7 @@ class BoxTree {
             p, [&](double of_box) { return of_box <= least; },
             [&](std::int32_t i) {
                 const double d = squared_distance(i);
-                if (d < least || (d == least && i < best)) least = d, best = i;
+                if (best < 0 || d < least || (d == least && i < best)) least = d, best = i;
             });
         return best;
     }

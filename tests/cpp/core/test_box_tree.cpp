@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <random>
 #include <vector>
 
@@ -74,6 +75,14 @@ TEST_CASE("a tree of boxes finds what is nearest, and of equals the first") {
         const double enough = 2 * least, found = tree.least_distance(p, 1e9, enough, distance);
         CHECK((found >= least && found < enough));
     }
+}
+
+TEST_CASE("something is nearest to a point so far away that its distances are infinite, too") {
+    const std::array<Box, 2> boxes{Box{{0, 0, 0}, {1, 1, 1}}, Box{{2, 0, 0}, {3, 1, 1}}};
+    const auto distance = [&](std::int32_t i) {
+        return squared_distance_to_box({1e200, 0, 0}, boxes[static_cast<std::size_t>(i)]);
+    };
+    CHECK(BoxTree(boxes).nearest({1e200, 0, 0}, distance) >= 0);
 }
 
 TEST_CASE("a tree without boxes finds nothing") {
