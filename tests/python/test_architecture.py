@@ -127,6 +127,11 @@ class Libraries(unittest.TestCase):
                 self.assertEqual(path.suffix, ".cpp", path.relative_to(ROOT))
                 self.assertIn(path.relative_to(SOURCES).parts[0], KNOW_CGAL, path.relative_to(ROOT))
 
+    def test_catch2_is_seen_through_the_header_for_both_its_versions(self):
+        folder = ROOT / "tests" / "cpp"
+        names = {path.relative_to(folder).as_posix() for path in source_files(folder) for _, name in includes(path) if name.startswith("catch2/")}
+        self.assertEqual(names, {"catch.h", "main.cpp"})
+
     def test_the_engine_knows_nothing_of_python_and_freecad(self):
         for path in source_files(SOURCES):
             for _, name in includes(path):

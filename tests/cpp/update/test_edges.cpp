@@ -11,9 +11,9 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
-#include <catch2/catch.hpp>
 #include <map>
 
+#include "catch.h"
 #include "mesh/validation.h"
 #include "part_documents.h"
 #include "part_meshes.h"

@@ -7,10 +7,10 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <TopTools_ListOfShape.hxx>
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
+#include "catch.h"
 #include "core/errors.h"
 #include "core/messages.h"
 #include "mesh/validation.h"

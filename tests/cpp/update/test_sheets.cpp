@@ -8,11 +8,11 @@
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_Wire.hxx>
-#include <catch2/catch.hpp>
 #include <gp_Circ.hxx>
 #include <map>
 #include <set>
 
+#include "catch.h"
 #include "core/errors.h"
 #include "core/messages.h"
 #include "mesh/second_order.h"
