@@ -12,7 +12,7 @@ import window  # noqa: E402
 from analyses import held_and_pushed  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 from parts import new_document, plate_with_hole  # noqa: E402
-from window import click, click_button_of, click_in_panel, is_whole, panel, picture, pixels, spin, wait_for  # noqa: E402
+from window import click, click_button_of, click_in_panel, is_whole, panel, picture, pixels, report_view, spin, type_into, wait_for  # noqa: E402
 
 
 def orange_pixels():
@@ -64,7 +64,10 @@ def check_cancel(document, mesh):
     assert settings.zone in mesh.MeshRegionList and settings.zone.Kind == "Box"
     picture("zone_new")
     assert orange_pixels() > 5000, orange_pixels()
+    said, field = report_view(), settings.lengths["Length"].findChild(QtGui.QLineEdit)
+    type_into(field, "-3")
     click_in_panel("Cancel")
+    assert "Traceback" not in report_view()[len(said):], report_view()
     assert {obj.Name for obj in document.Objects} == names and document.UndoCount == steps and not document.HasPendingTransaction
     assert not mesh.MeshRegionList and not Gui.Control.activeDialog()
 

@@ -6,6 +6,7 @@ import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
 from .. import versions
+from . import freecad_widget
 
 
 class ClosesWithObject:
@@ -38,4 +39,5 @@ class ClosesWithObject:
 
     def _close(self):
         self.end()
+        freecad_widget.silence(self.form)
         QtCore.QTimer.singleShot(0, Gui.Control.closeDialog)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Widgets of FreeCAD's own, such as its fields for quantities."""
+"""Widgets of FreeCAD's own, such as its fields for quantities, and what their forms share."""
 
 import FreeCADGui as Gui
-from PySide import QtCore
+from PySide import QtCore, QtGui
 
 
 def made(kind):
@@ -35,3 +35,9 @@ def _show_what_was_read(field):
         was_blocked = field.blockSignals(True)
         field.setProperty("rawValue", field.property("rawValue"))
         field.blockSignals(was_blocked)
+
+
+def silence(form):
+    """Before what a form changes is deleted: a field in which somebody still types tells of its value when the form closes."""
+    for widget in form.findChildren(QtGui.QWidget):
+        widget.blockSignals(True)

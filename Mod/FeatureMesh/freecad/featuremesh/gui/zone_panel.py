@@ -95,6 +95,7 @@ class ZonePanel:
 
     def reject(self):
         """Cancel: nothing of what was changed remains, nor a zone that is new."""
+        freecad_widget.silence(self.form)
         self.document.abortTransaction()
         self._close()
         return True
