@@ -64,7 +64,8 @@ MadeFaces::MadeFaces(const PartState& state, const SketchElements& elements)
     : state_(state), elements_(elements), pieces_of_(state.tree.features.size()), made_(state.brep.face_count()) {
     for (std::size_t f = 0; f < state.tree.features.size(); ++f) {
         const Feature& feature = state.tree.features[f];
-        int number = 0, instance = feature.volumes.empty() ? 0 : feature.volumes.front().instance;
+        int number = 0;
+        std::int64_t instance = feature.volumes.empty() ? 0 : feature.volumes.front().instance;
         for (const FeatureVolume& volume : feature.volumes) {
             if (volume.instance != instance) number = 0, instance = volume.instance;
             take_volume(FeatureId(f), volume, number);

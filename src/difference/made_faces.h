@@ -6,6 +6,7 @@
 #include <TopoDS_Face.hxx>
 #include <array>
 #include <compare>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -52,9 +53,9 @@ struct MadeFace {
 /// One piece of one own volume: a hole of a sketch with six, an instance of a pattern.
 struct MadePiece {
     FeatureId feature;
-    int instance = 0;    ///< number within a pattern
-    int number = 0;      ///< among the pieces of that instance
-    RigidMotion motion;  ///< from the first instance to this one
+    std::int64_t instance = 0;  ///< number within a pattern
+    int number = 0;             ///< among the pieces of that instance
+    RigidMotion motion;         ///< from the first instance to this one
     Effect effect = Effect::adds;
     TopoDS_Shape solid;
     std::vector<int> faces;             ///< indices into MadeFaces::faces, in the order of the solid

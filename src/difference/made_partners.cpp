@@ -43,7 +43,7 @@ class PieceMatcher {
 
     void match_feature(FeatureId old_id, FeatureId new_id) {
         const RigidMotion motion = compose(is_.state().tree[new_id].frame, was_.state().tree[old_id].frame.inverse());
-        std::map<int, std::vector<int>> olds, news;  // by instance
+        std::map<std::int64_t, std::vector<int>> olds, news;  // by instance
         for (const int p : was_.pieces_of(old_id)) olds[old_piece(p).instance].push_back(p);
         for (const int p : is_.pieces_of(new_id)) news[new_piece(p).instance].push_back(p);
         for (const auto& [instance, pieces] : olds)

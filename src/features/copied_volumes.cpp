@@ -100,7 +100,7 @@ std::optional<Volumes> copied_volumes(const RawRecord& copy, const RawRecord& so
         Volumes copies = volumes;
         for (std::size_t i = 0; i < copies.size(); ++i) {
             copies[i].shape = placed(copies[i].shape, way);
-            copies[i].instance = static_cast<int>(i);
+            copies[i].instance = static_cast<std::int64_t>(i);
             copies[i].motion = way.IsNegative() ? RigidMotion{} : to_motion(way);
         }
         return copies;

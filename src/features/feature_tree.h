@@ -3,6 +3,7 @@
 #pragma once
 
 #include <TopoDS_Shape.hxx>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,7 +35,7 @@ enum class Combination { volumes, chain, pass, fuse, cut, common, exclusive };
 struct FeatureVolume {
     TopoDS_Shape shape;  ///< in the final shape's frame
     Effect effect = Effect::adds;
-    int instance = 0;    ///< number within a pattern
+    std::int64_t instance = 0;  ///< number within a pattern
     RigidMotion motion;  ///< from the first instance to this one; the identity where it is not rigid (mirrored, scaled)
     /// What it does to the shape that the feature is applied to: the opposite of `effect` within a tool that is cut
     /// away.

@@ -15,14 +15,14 @@ namespace featuremesh {
 
 namespace {
 
-std::vector<FeatureVolume> instances(const std::vector<FeatureVolume>& originals, const Placements& placements) {
+std::vector<FeatureVolume> instances(const std::vector<FeatureVolume>& originals, const Occurrences& occurrences) {
     std::vector<FeatureVolume> volumes;
-    for (std::size_t i = 1; i < placements.size(); ++i)
+    for (std::size_t i = 1; i < occurrences.size(); ++i)
         for (const FeatureVolume& original : originals) {
             FeatureVolume volume = original;
-            volume.shape = placed(original.shape, placements[i]);
-            volume.instance = static_cast<int>(i);
-            if (!placements[i].IsNegative()) volume.motion = to_motion(placements[i]);
+            volume.shape = placed(original.shape, occurrences[i].placement);
+            volume.instance = occurrences[i].number;
+            if (!occurrences[i].placement.IsNegative()) volume.motion = to_motion(occurrences[i].placement);
             volumes.push_back(std::move(volume));
         }
     return volumes;
@@ -41,10 +41,11 @@ class PatternWitness {
         for (const TopoDS_Shape& face : unshared_faces(after, before)) new_faces_.emplace_back(TopoDS::Face(face));
     }
 
-    bool confirms(const Placements& placements, const std::vector<FeatureVolume>& volumes) const {
+    bool confirms(const Occurrences& occurrences, const std::vector<FeatureVolume>& volumes) const {
         if (!inner_) return false;
-        for (const gp_Trsf& placement : placements)
-            if (after_.containment_of(to_vec3(to_pnt(*inner_).Transformed(placement))) != wanted_) return false;
+        for (const Occurrence& occurrence : occurrences)
+            if (after_.containment_of(to_vec3(to_pnt(*inner_).Transformed(occurrence.placement))) != wanted_)
+                return false;
         return explains_faces(volumes);
     }
 
@@ -82,9 +83,9 @@ std::optional<std::vector<FeatureVolume>> pattern_instances(const RawRecord& pat
                                                             const DocumentView& document) {
     if (originals.empty() || before.IsNull() || after.IsNull()) return std::nullopt;
     const PatternWitness witness(originals, before, after);
-    for (const Placements& placements : candidate_placements(pattern, document)) {
-        std::vector<FeatureVolume> volumes = instances(originals, placements);
-        if (witness.confirms(placements, volumes)) return volumes;
+    for (const Occurrences& occurrences : candidate_occurrences(pattern, document)) {
+        std::vector<FeatureVolume> volumes = instances(originals, occurrences);
+        if (witness.confirms(occurrences, volumes)) return volumes;
     }
     return std::nullopt;
 }

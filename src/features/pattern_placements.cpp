@@ -26,6 +26,8 @@ namespace featuremesh {
 namespace {
 
 constexpr std::size_t most_candidates = 16;
+/// Numbers of occurrences have room for so many of each of three transformations.
+constexpr std::int64_t most_occurrences = 1 << 20, largest_stride = most_occurrences * most_occurrences;
 constexpr double degree = std::numbers::pi / 180;
 
 double number(const RawRecord& record, const std::string& name, double otherwise) {
@@ -142,24 +144,35 @@ std::vector<Placements> mirrored(const RawRecord& pattern, const DocumentView& d
     return candidates;
 }
 
-/// Every occurrence of `outer` of every occurrence of `inner`.
-Placements product(const Placements& outer, const Placements& inner) {
-    Placements all;
-    for (const gp_Trsf& second : outer)
-        for (const gp_Trsf& first : inner) all.push_back(second * first);
+/// Every occurrence of `outer` of every occurrence of `inner`. The numbers of `outer` count in steps of `stride`.
+Occurrences product(const Placements& outer, const Occurrences& inner, std::int64_t stride) {
+    Occurrences all;
+    for (std::size_t i = 0; i < outer.size(); ++i)
+        for (const Occurrence& first : inner)
+            all.push_back({outer[i] * first.placement, std::int64_t(i) * stride + first.number});
     return all;
 }
 
-std::vector<Placements> combined(const RawRecord& pattern, const DocumentView& document) {
-    std::vector<Placements> candidates{Placements(1)};
+/// Of a pattern that is one transformation.
+std::vector<Placements> candidate_placements(const RawRecord& pattern, const DocumentView& document) {
+    if (pattern.type == "PartDesign::LinearPattern") return linear(pattern, document);
+    if (pattern.type == "PartDesign::PolarPattern") return polar(pattern, document);
+    if (pattern.type == "PartDesign::Mirrored") return mirrored(pattern, document);
+    return {};
+}
+
+std::vector<Occurrences> combined(const RawRecord& pattern, const DocumentView& document) {
+    std::vector<Occurrences> candidates{Occurrences(1)};
+    std::int64_t stride = 1;
     for (const RawLink& link : DocumentView::links_of(pattern, "Transformations")) {
         const int index = document.find(link.object);
         if (index < 0) return {};
-        std::vector<Placements> next;
-        for (const Placements& so_far : candidates)
+        std::vector<Occurrences> next;
+        for (const Occurrences& so_far : candidates)
             for (const Placements& further : candidate_placements(document.records()[index], document))
-                if (next.size() < most_candidates) next.push_back(product(further, so_far));
+                if (next.size() < most_candidates) next.push_back(product(further, so_far, stride));
         candidates = std::move(next);
+        stride = stride < largest_stride ? stride * most_occurrences : 1;
     }
     return candidates;
 }
@@ -172,12 +185,12 @@ TopoDS_Shape placed(const TopoDS_Shape& shape, const gp_Trsf& placement) {
     return shape.Moved(TopLoc_Location(placement));
 }
 
-std::vector<Placements> candidate_placements(const RawRecord& pattern, const DocumentView& document) {
-    if (pattern.type == "PartDesign::LinearPattern") return linear(pattern, document);
-    if (pattern.type == "PartDesign::PolarPattern") return polar(pattern, document);
-    if (pattern.type == "PartDesign::Mirrored") return mirrored(pattern, document);
+std::vector<Occurrences> candidate_occurrences(const RawRecord& pattern, const DocumentView& document) {
     if (pattern.type == "PartDesign::MultiTransform") return combined(pattern, document);
-    return {};
+    std::vector<Occurrences> candidates;
+    for (const Placements& placements : candidate_placements(pattern, document))
+        candidates.push_back(product(placements, Occurrences(1), 1));
+    return candidates;
 }
 
 }  // namespace featuremesh

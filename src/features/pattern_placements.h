@@ -3,6 +3,8 @@
 #pragma once
 
 #include <gp_Trsf.hxx>
+
+#include <cstdint>
 #include <vector>
 
 #include "features/document_view.h"
@@ -10,14 +12,21 @@
 
 namespace featuremesh {
 
-/// The transformations of all occurrences, the first (the identity) included.
 using Placements = std::vector<gp_Trsf>;
+
+struct Occurrence {
+    gp_Trsf placement;
+    std::int64_t number = 0;  ///< stays where one of several transformations gets more occurrences
+};
+
+/// All of a pattern, the first (the identity) included.
+using Occurrences = std::vector<Occurrence>;
 
 /// The shape under a placement, made anew where that mirrors or scales.
 TopoDS_Shape placed(const TopoDS_Shape& shape, const gp_Trsf& placement);
 
 /// All readings of the parameters worth trying, the likeliest first; empty when the direction, axis or plane cannot be
 /// resolved. In the final shape's frame.
-std::vector<Placements> candidate_placements(const RawRecord& pattern, const DocumentView& document);
+std::vector<Occurrences> candidate_occurrences(const RawRecord& pattern, const DocumentView& document);
 
 }  // namespace featuremesh
