@@ -32,8 +32,8 @@ class Command(MeshCommand):
     def may_take_place(self, part, mesh):
         """The part has a mesh of ours: is the adopted one to take its place?"""
         return message_box.answer(self.title, translate("FeatureMesh", "%s has the mesh %s already.") % (part.Label, mesh.Label),
-                      translate("FeatureMesh", "The adopted mesh can take its place; %s stays in the document.") % mesh.Label,
-                      {"take": translate("FeatureMesh", "Take its place")})
+                                  translate("FeatureMesh", "The adopted mesh can take its place; %s stays in the document.") % mesh.Label,
+                                  {"take": translate("FeatureMesh", "Take its place")})
 
     def adopt(self, foreign, part, existing=None):
         mesh, _ = recording.run(api.adopt_mesh, foreign, part, in_place_of=existing)
