@@ -249,7 +249,7 @@ def tell_end(folder):
     """A study whose cases are infeasible is no failure; one with failed cases is."""
     counts = folder.database.counts()
     words = [f"{counts['done']} of {sum(counts.values())} cases done"] + [f"{counts[state]} {state}" for state in ("infeasible", "failed") if counts[state]]
-    print(", ".join(words) + f"; see them with: featuremesh study report {typed_path(folder.path)}")
+    print(", ".join(words) + f"; see them with: featuremesh study {'report' if counts['done'] else 'status'} {typed_path(folder.path)}")
     for case in folder.database.cases("failed"):
         print(f"warning: case {case.id}: {english(case.message)}", file=sys.stderr)
     return 1 if counts["failed"] else 0

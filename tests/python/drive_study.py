@@ -2,6 +2,7 @@
 """A study by hand, from the bracket to its plots: ticks, ranges, Run, rows that open a case, Stop, Go on. Run by test_window.py with the bracket."""
 import hashlib
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -397,8 +398,25 @@ def check_settings(document, study):
     assert not study.Parameters
     click(shown.run_button)
     assert "tick a dimension" in window.messages[-1], window.messages
+    check_no_case_can_be_made(study, shown)
     tick(shown, "Boss.Length")
     return shown
+
+
+def check_no_case_can_be_made(study, shown):
+    """It is said, with the reason, and none is called done."""
+    before, folder = study.Responses, study.Folder
+    tick(shown, "Fillet.Radius")
+    type_range(shown, shown.dimensions.item_of("Fillet.Radius"), "60 : 70")
+    shown.cases.setValue(2)
+    click(shown.run_button)
+    wait_for(lambda: study.Folder != folder and has_ended(study), LONG)
+    shown.refresh()
+    assert re.match("0 of 2 cases done, 2 could not be made or solved; case 1: .*Fillet", shown.status.text()), shown.status.text()
+    type_range(shown, shown.dimensions.item_of("Fillet.Radius"), "2.7 : 5")
+    tick(shown, "Fillet.Radius")
+    shown.cases.setValue(16)
+    assert study.Responses == before
 
 
 def check_renamed(document, study):

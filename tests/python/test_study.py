@@ -92,6 +92,8 @@ class Studies(StudyTest):
         self.assertGreater(self.rows("s")[0]["mesh"]["kept_share"], 0.1)   # a case starts from the base mesh
         self.assertRegex(self.rows("s")[1]["message"], "Plate")
         self.assertIn("infeasible: case 2: ", self.study("status", "s")[0])
+        out, _ = self.study("run", "part.FCStd", "--vary", "Plate.Length=0,-1", "--sampling", "grid", "--responses", "volume", "--folder", "none")
+        self.assertIn("0 of 2 cases done, 2 infeasible; see them with: featuremesh study status none", out)   # a report there would be of nothing
 
     def test_a_response_that_is_no_number_fails_its_case_by_name(self):
         self.response_file("return float('nan') if case.id == 2 else 1.0")

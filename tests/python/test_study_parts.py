@@ -541,6 +541,15 @@ class Keeping(unittest.TestCase):
             self.assertEqual(database.add_cases([({"x": 1.5}, None), ({"x": 2.5}, "not kept"), ({"x": 1.5}, None)], "test"), [1, 2, 1])
             self.assertEqual(database.counts()["infeasible"], 1)
 
+    def test_cases_that_could_not_be_made_are_not_called_done(self):
+        with tempfile.TemporaryDirectory() as folder:
+            database = Database(os.path.join(folder, "study.sqlite"), new=True)
+            database.add_cases([({"x": 1.5}, None), ({"x": 2.5}, None), ({"x": 3.5}, "the constraint x < 3 is not kept"), ({"x": 4.5}, None)], "test")
+            database.finish(1, {"state": "done"})
+            self.assertEqual(english(progress.summary(database.cases("done"))), "1 of 1 case done")
+            database.finish(2, {"state": "failed", "message": "Pad: no"})
+            self.assertEqual(english(progress.summary(database.cases())), "1 of 4 cases done, 2 could not be made or solved; case 2: Pad: no")
+
     def test_modes_of_calculix(self):
         text = ("     E I G E N V A L U E   O U T P U T\n\n MODE NO    EIGENVALUE  FREQUENCY\n\n"
                 "      1   0.4E+08   0.6E+04   0.1E+04   0.0E+00\n      2   0.9E+08   0.9E+04   0.15E+04   0.0E+00\n\n"

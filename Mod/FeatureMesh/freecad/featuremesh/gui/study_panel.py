@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 
 from .. import user_words, view_provider
 from ..errors import UserError
-from ..messages import of_error, said
+from ..messages import of_error
 from ..study import design, response_words, study_object, window_run
 from . import errors, narrow, recording, study_runs, wheel
 from .closes_with_object import ClosesWithObject
@@ -74,9 +74,9 @@ class StudyPanel(ClosesWithObject):
         running = run is not None and run.is_running()
         unreadable = ""
         try:
-            done, total, left = window_run.how_far(study_object.existing_folder_of(self.study), run.jobs if run else 1, self._running_since)
+            done, total, left, words = window_run.how_far(study_object.existing_folder_of(self.study), run.jobs if run else 1, self._running_since)
         except UserError as error:
-            (done, total, left), unreadable = (0, 0, None), user_words.in_words(of_error(error))
+            (done, total, left, words), unreadable = (0, 0, None, ""), user_words.in_words(of_error(error))
         self.run_button.setText(translate("FeatureMesh", "Stop") if running else translate("FeatureMesh", "Run"))
         can_add = bool(total) and done == total and self.study.Sampling in design.COUNTED and study_object.is_as_run(self.study)
         self.go_on_button.setVisible(not running and (done < total or can_add))
@@ -85,7 +85,7 @@ class StudyPanel(ClosesWithObject):
         self.bar.setVisible(running)
         self.bar.setRange(0, total)
         self.bar.setValue(done)
-        self.status.setText(self._wrong or unreadable or self._in_words(run, running, done, total, left))
+        self.status.setText(self._wrong or unreadable or self._in_words(run, running, words, left))
 
     def show_results(self):
         """Opens the window with the cases and the plots."""
@@ -204,11 +204,11 @@ class StudyPanel(ClosesWithObject):
         self.status.setAlignment(QtCore.Qt.AlignTop)
         layout.addWidget(self.status)
 
-    def _in_words(self, run, running, done, total, left):
+    def _in_words(self, run, running, words, left):
         self.cases.setEnabled(self.sampling.itemData(self.sampling.currentIndex()) in design.COUNTED)
-        if running and not total:
+        if running and not words:
             return translate("FeatureMesh", "making the mesh that all cases start from")
-        words = user_words.in_words(said("{done:count} of {all:count} {all:case|cases} done", done=done, all=total)) if total else translate("FeatureMesh", "not run yet")
+        words = user_words.in_words(words) or translate("FeatureMesh", "not run yet")
         if running:
             return words + _time_left(left)
         problem = run.problem() if run is not None else ""
@@ -251,7 +251,7 @@ class StudyPanel(ClosesWithObject):
 
     def _go_on(self):
         """Runs what waits, or as many cases more as the box says."""
-        done, total, _ = window_run.how_far(study_object.folder_of(self.study))
+        done, total, *_ = window_run.how_far(study_object.folder_of(self.study))
         self._start(study_object.go_on, self.cases.value() if done == total else 0)
 
     def _start(self, begin, *words):

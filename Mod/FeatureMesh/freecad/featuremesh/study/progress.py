@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How far a study is, and how long it will take: from the cases that were run, not from a guess."""
 
+from ..messages import said
+from .database import DONE, FAILED, INFEASIBLE
+
 _WIDTH = 20
 
 
@@ -17,6 +20,16 @@ def line(counts, running_for, seconds, jobs):
     if counts["waiting"] or counts["running"]:
         words.append(in_words(seconds_left(counts, running_for, seconds, jobs)))
     return "[%s%s] %s" % ("#" * filled, "." * (_WIDTH - filled), ", ".join(words))
+
+
+def summary(cases):
+    """What came out so far, in one sentence: how many cases are done, how many are not, and why the first of those is not."""
+    lost = [case for case in cases if case.state in (FAILED, INFEASIBLE)]
+    known = {"done": sum(case.state == DONE for case in cases), "all": len(cases)}
+    if not lost:
+        return said("{done:count} of {all:count} {all:case|cases} done", **known)
+    return said("{done:count} of {all:count} {all:case|cases} done, {lost:count} could not be made or solved; case {first:count}: {why:messages}",
+                **known, lost=len(lost), first=lost[0].id, why=lost[0].message)
 
 
 def seconds_left(counts, running_for, seconds, jobs):

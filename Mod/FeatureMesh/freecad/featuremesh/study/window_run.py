@@ -70,24 +70,24 @@ class WindowRun:
 
 
 def how_far(folder, jobs=1, running_since=None):
-    """(cases finished, cases in all, seconds left or None) of the study in a folder, (0, 0, None) before it has cases. `running_since` is a dict that remembers from
-    one call to the next since when cases run."""
+    """(cases finished, cases in all, seconds left or None, progress.summary) of the study in a folder, (0, 0, None, "") before it has cases. `running_since` is a
+    dict that remembers from one call to the next since when cases run."""
     if not has_study(folder):
-        return 0, 0, None
+        return 0, 0, None, ""
     database = StudyFolder(folder).database
     try:
-        counts = database.counts()
-        seconds = [case.seconds["total"] for case in database.cases("done") if "total" in case.seconds]
-        running = [(case.id, case.attempts) for case in database.cases("running")]
+        counts, cases = database.counts(), database.cases()
     finally:
         database.close()
+    seconds = [case.seconds["total"] for case in cases if case.state == "done" and "total" in case.seconds]
+    running = [(case.id, case.attempts) for case in cases if case.state == "running"]
     now, known = time.monotonic(), running_since or {}
     since = {case: known.get(case, now) for case in running}
     if running_since is not None:
         running_since.clear()
         running_since.update(since)
     left = progress.seconds_left(counts, [now - begun for begun in since.values()], seconds, jobs)
-    return counts["done"] + counts["infeasible"] + counts["failed"], sum(counts.values()), left
+    return counts["done"] + counts["infeasible"] + counts["failed"], len(cases), left, progress.summary(cases)
 
 
 def program():

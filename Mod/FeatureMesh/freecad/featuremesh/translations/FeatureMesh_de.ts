@@ -1581,6 +1581,10 @@
       <translation>Viele Kanten des Bauteils ({edges:count}) liegen innerhalb einer Ebene, wie in einem Festkörper, der aus einem Netz (STL) gemacht wurde. Jede ist auch eine Kante von Elementen, wodurch viele davon klein und dünn werden. Part &gt; Kopie erstellen &gt; Form aufbereiten macht eine Kopie ohne solche Kanten: diese vernetzen.</translation>
     </message>
     <message>
+      <source>{done:count} of {all:count} {all:case|cases} done, {lost:count} could not be made or solved; case {first:count}: {why:messages}</source>
+      <translation>{done:count} von {all:count} {all:Fall|Fällen} fertig, {lost:count} nicht machbar oder nicht lösbar; Fall {first:count}: {why:messages}</translation>
+    </message>
+    <message>
       <source>{edge:entities} has no curve, so nothing says where its faces end. Rebuild the feature there, or bring the part in again from where it was made.</source>
       <translation>{edge:entities} hat keine Kurve; so sagt nichts, wo die Flächen dort enden. Das Formelement dort neu aufbauen oder das Teil von dort, wo es entstand, noch einmal einlesen.</translation>
     </message>
