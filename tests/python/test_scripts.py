@@ -9,7 +9,7 @@ from unittest import mock
 import FreeCAD
 import ObjectsFem
 from analyses import quantity
-from freecad.featuremesh import api, cli, mesh_object
+from freecad.featuremesh import api, cli, mesh_object, versions
 from freecad.featuremesh.errors import UserError
 from parts import new_document, plate_with_hole
 
@@ -109,6 +109,10 @@ class Solve(unittest.TestCase):
         self.addCleanup(settings.SetString, "ccxBinaryPath", "")
         with tempfile.TemporaryDirectory() as folder, mock.patch.dict(os.environ, {"PATH": folder}):
             self.assertGreater(api.solve(self.analysis).figures["displacement"], 0)
+            if versions.can_leave_chosen_calculix():
+                settings.SetBool("UseStandardCcxLocation", True)
+                with self.assertRaisesRegex(UserError, "CalculiX .ccx. is not installed"):
+                    api.solve(self.analysis)
 
     def test_a_mesh_out_of_date_is_not_solved(self):
         self.mesh.Automatic = False

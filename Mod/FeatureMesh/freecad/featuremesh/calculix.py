@@ -17,7 +17,7 @@ import FreeCAD
 import numpy as np
 from femtools import ccxtools
 
-from . import frd, solvers, solving, statics, statics_model, statics_result
+from . import frd, solvers, solving, statics, statics_model, statics_result, versions
 from .errors import UserError
 from .messages import said
 from .reading import describe
@@ -163,9 +163,10 @@ def solver_of(analysis):
 
 
 def program():
-    """The user's own setting, else the program on the path."""
-    chosen = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Fem/Ccx").GetString("ccxBinaryPath", "")
-    found = chosen or shutil.which("ccx")
+    """The one that FreeCAD runs: the user's own setting, else the program on the path. Throws UserError."""
+    settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Fem/Ccx")
+    is_chosen = not (versions.can_leave_chosen_calculix() and settings.GetBool("UseStandardCcxLocation", True))
+    found = is_chosen and settings.GetString("ccxBinaryPath", "") or shutil.which("ccx")
     if not found:
         raise UserError(said("CalculiX (ccx) is not installed; on Debian its package is calculix-ccx"))
     return found

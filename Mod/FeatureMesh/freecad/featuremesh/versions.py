@@ -92,6 +92,11 @@ def tells_without_running():
     return version() >= (1, 1)
 
 
+def can_leave_chosen_calculix():
+    """Has FEM a setting by which CalculiX is the program on the path, whatever path was chosen? Before 1.1."""
+    return version() < (1, 1)
+
+
 def asks_manipulators():
     """Does FreeCAD ask manipulators of workbenches when it builds toolbars and menus? Since 1.0."""
     return version() >= (1, 0)
