@@ -56,11 +56,12 @@ def main():
     if given.documents:
         return measure_documents(given)
     names = given.case or [case.name for case in all_cases()]
+    unknown = [name for name in names if name not in [case.name for case in all_cases()]]
+    if unknown:
+        print(f"featuremesh bench: there is no case {unknown[0]}; ./featuremesh bench --list names all", file=sys.stderr)
+        return 2
     others = [(kind, case) for kind, bench in OTHERS.items() for case in map(bench.named, names) if case]
     chosen = [case for case in map(cases.named, names) if case]
-    if len(others) + len(chosen) < len(names):
-        print("featuremesh bench: no such case; see featuremesh bench --list", file=sys.stderr)
-        return 2
     failed, updates, cells, per_tet = 0, {}, {}, {}
     for case in chosen:
         try:

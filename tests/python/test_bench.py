@@ -71,6 +71,11 @@ class Documents(unittest.TestCase):
             self.assertEqual(done.returncode, 2)
             self.assertIn("leave out --case, --threads and --netgen", done.stderr)
 
+    def test_a_case_that_there_is_not_is_named(self):
+        done = subprocess.run([sys.executable, str(BENCH), "--case", "bracket", "--case", "nope"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertEqual(done.stderr, "featuremesh bench: there is no case nope; ./featuremesh bench --list names all\n")
+
     def test_where_nothing_could_be_measured_it_fails(self):
         with tempfile.TemporaryDirectory() as name:
             (Path(name) / "torn.FCStd").write_bytes((EXAMPLES / "bracket.FCStd").read_bytes()[:2000])
