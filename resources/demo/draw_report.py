@@ -34,6 +34,8 @@ def draw(folder):
         draw_stress(folder / "pictures" / "stress.png", old, new)
     pictures.write_quality(folder / "pictures" / "quality.png", [quality_series("first mesh", old), quality_series("updated mesh", new)])
     write_page(folder, numbers)
+    for name in ("old.npz", "new.npz"):   # for the pictures alone
+        (folder / name).unlink()
 
 
 def quality_series(name, mesh):

@@ -27,7 +27,7 @@ def say(line=""):
 
 
 def run():
-    from freecad.featuremesh import api, engine, reading
+    from freecad.featuremesh import api, documents, engine, reading
     from freecad.featuremesh.mesh_object import options_of
     from freecad.featuremesh.messages import in_english
     from freecad.featuremesh.tables import verdict_in_words
@@ -46,7 +46,7 @@ def run():
     old_numbers = number_arrays(old)
     numbers["first_solution"], old_fields = solve(document, old_numbers)
     numbers["first_live"] = solve_live(document)
-    document.save()
+    documents.save_document(document, str(path))   # FreeCAD's own way leaves the file before as .FCStd1
 
     say(f"Edit           {EDIT_IN_WORDS}  ({EDIT})")
     api.set_parameters(document, [EDIT])
@@ -60,7 +60,7 @@ def run():
     new_numbers = number_arrays(new)
     numbers["second_solution"], new_fields = solve(document, new_numbers)
     numbers["second_live"] = solve_live(document)
-    document.saveAs(str(OUT / "bracket_edited.FCStd"))
+    documents.save_document(document, str(OUT / "bracket_edited.FCStd"))
 
     kept = new_numbers["tet_origin"]
     old_numbers["tet_kept"] = np.isin(np.arange(len(old_numbers["tets"])), kept[kept >= 0])

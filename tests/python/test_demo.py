@@ -64,6 +64,9 @@ class Demo(unittest.TestCase):
         if self.numbers["second_live"] is not None:
             self.assertGreater(self.numbers["second_live"]["reused"]["start_share"], 0.9)
 
+    def test_it_leaves_what_a_user_looks_at(self):
+        self.assertEqual(sorted(path.name for path in self.out.iterdir()), ["bracket.FCStd", "bracket_edited.FCStd", "numbers.json", "pictures", "report.html"])
+
     def test_the_page_has_its_pictures(self):
         html = (self.out / "report.html").read_text(encoding="utf-8")
         self.assertEqual(html.count("data:image/png;base64,"), 4)
