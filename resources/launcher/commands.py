@@ -104,9 +104,9 @@ def demo(given):
         raise UserError(f"{given.out} is a file; give a folder with --out")
     set_up(packages.PICTURE_PACKAGES + packages.STUDY_PACKAGES)
     result = run_script(ROOT / "resources" / "demo" / "run_demo.py", {"FEATUREMESH_DEMO_OUT": out}, lines_to=sys.stdout)
-    if result["exit_code"] == 0:
-        draw_report(out)
-        study_of_demo(out)
+    data_of(result)
+    draw_report(out)
+    study_of_demo(out)
     return finish(result)
 
 
@@ -250,16 +250,22 @@ def task(given, **options):
 
 
 def finish(result, print_json=False):
-    """Prints what a task said, its warnings on standard error, and gives its exit code."""
-    code = result["exit_code"]
-    if code == 0 and print_json:
-        print(json.dumps(result["data"], indent=1))
-    else:
-        if result["message"]:
-            print(result["message"], file=sys.stderr if code else sys.stdout, flush=True)
-    for line in result["data"].get("warnings", []):
+    """Prints what a task said, its warnings on standard error, and gives exit code 0. Throws UserError, Failure where the task failed."""
+    data = data_of(result)
+    if print_json:
+        print(json.dumps(data, indent=1))
+    elif result["message"]:
+        print(result["message"], flush=True)
+    for line in data.get("warnings", []):
         print(f"warning: {line}", file=sys.stderr)
-    return code
+    return 0
+
+
+def data_of(result):
+    """What a task gave. Throws UserError, Failure with its message where it failed."""
+    if result["exit_code"]:
+        raise (UserError if result["exit_code"] == 2 else Failure)(result["message"])
+    return result["data"]
 
 
 def existing_file(name):

@@ -10,7 +10,7 @@ import types
 from pathlib import Path
 
 import packages
-from commands import existing_file, written_file
+from commands import data_of, existing_file, written_file
 from engine_build import set_up
 from freecad_task import ProgressLine, freecad_environment, freecadcmd, run_task
 from layout import WORKBENCH, Failure, UserError
@@ -101,10 +101,7 @@ def new_folder(study, path):
 
 
 def make_base(plain_study, out):
-    made = run_task({"command": "study_base", "study": plain_study, "out": out})
-    if made["exit_code"]:
-        raise (UserError if made["exit_code"] == 2 else Failure)(made["message"])
-    return made["data"]
+    return data_of(run_task({"command": "study_base", "study": plain_study, "out": out}))
 
 
 def resume(given):

@@ -104,6 +104,11 @@ class CommandLine(unittest.TestCase):
                 self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
                 self.assertNotIn("Traceback", done.stderr)
 
+    def test_an_error_from_within_freecad_begins_as_any_other(self):
+        done = run("tree", __file__)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertRegex(done.stderr, r"^featuremesh tree: .*test_launcher\.py.*\n$")
+
     def test_what_a_mesh_is_asked_for_reaches_its_task(self):
         asked = {}
         with mock.patch.object(commands, "set_up"), mock.patch.object(commands, "run_task", lambda task: asked.update(task) or {"exit_code": 0, "message": "", "data": {}}):
