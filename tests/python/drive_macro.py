@@ -97,6 +97,11 @@ def use_buttons(document, body):
     tick(panel("StudyPanel"), "Plate.Length")
     panel("StudyPanel").cases.setValue(5)
     click(panel("StudyPanel").run_button)
+    wait_for(lambda: len(done_of(document.Study)) == 5, 300)
+    panel("StudyPanel").cases.setValue(2)
+    wait_for(lambda: panel("StudyPanel").go_on_button.text() == "Add cases")
+    click(panel("StudyPanel").go_on_button)
+    wait_for(lambda: len(done_of(document.Study)) == 7, 300)
     close_with("Close")
     mesh.ViewObject.doubleClicked()
     spin(0.5)
@@ -131,13 +136,24 @@ def export(mesh):
         save_dialog.QtGui.QFileDialog.getSaveFileName = asked
 
 
+def done_of(study):
+    from freecad.featuremesh.study.folder import StudyFolder, has_study
+    if not has_study(study.Folder):
+        return []
+    database = StudyFolder(study.Folder).database
+    try:
+        return [case.parameters for case in database.cases("done")]
+    finally:
+        database.close()
+
+
 def contents(document):
     """What is in the document, as far as a user has set or made it."""
     from freecad.featuremesh.gui import recording
     mesh, live = document.FeatureMesh, live_result_of(document)
     with open(EXPORTED, encoding="utf-8") as stream:
         exported = stream.read()
-    return [sorted(obj.Name for obj in document.Objects), mesh.NodeCount, mesh.TetCount, mesh.Status, live.Status, round(live.MaxMises, 9), exported,
+    return [sorted(obj.Name for obj in document.Objects), mesh.NodeCount, mesh.TetCount, mesh.Status, live.Status, round(live.MaxMises, 9), exported, done_of(document.Study),
             *(recording._settings_of(obj) for obj in document.Objects if obj.Name.startswith(("FeatureMesh", "SizeZone", "Study", "Mesh", "FEMMesh")))]
 
 

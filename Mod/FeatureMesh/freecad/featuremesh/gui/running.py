@@ -25,6 +25,7 @@ STEPS = {
     "assemble": QT_TRANSLATE_NOOP("FeatureMesh", "assembling the stiffness matrix"),
     "setup": QT_TRANSLATE_NOOP("FeatureMesh", "preparing the solver"),
     "solve": QT_TRANSLATE_NOOP("FeatureMesh", "solving"),
+    "cases": QT_TRANSLATE_NOOP("FeatureMesh", "running the cases of the study"),
     "stresses": QT_TRANSLATE_NOOP("FeatureMesh", "working out the stresses"),
 }
 

@@ -7,7 +7,7 @@ import FreeCADGui as Gui
 from .. import assembled, assembled_view, live_result, live_view, mesh_object, orphans, size_zone, study_view, view_provider, waiting, zone_view
 from ..commands import COMMANDS, IN_FEM, OF_A_MESH
 from ..commands.freecad import register
-from ..study import study_object
+from ..study import study_object, window_run
 from . import clicks, fem_toolbar, live_runner, open_panels, preferences_page, recording, running, showing, study_runs
 
 
@@ -46,7 +46,7 @@ def start():
     orphans.install()
     live_runner.install()
     study_runs.install()
-    mesh_object.run_job = running.run_with_escape
+    mesh_object.run_job = window_run.run_job = running.run_with_escape
     waiting.repaint = running.repaint
     preferences_page.choose_place()
     Gui.addIconPath(view_provider.ICONS)

@@ -259,7 +259,7 @@ class StudyPanel(ClosesWithObject):
             self.study.Parameters = self.dimensions.parameters()
             begin(self.study, *words)
             recording.write(self.study)
-            recording.tell(begin, self.study, *words)
+            recording.tell(begin, self.study, *words, wait=True)   # what follows in a macro may be about the cases
         except (UserError, OSError) as error:
             errors.show(error, self.study.Part)
         self.refresh()

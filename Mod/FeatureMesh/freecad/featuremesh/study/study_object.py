@@ -155,9 +155,9 @@ def study_of(obj, document_path):
     return study
 
 
-def start(obj):
-    """Writes the document as it is and the study into a new folder, and runs it there. Returns the window_run.WindowRun. Throws UserError, and
-    leaves no folder then."""
+def start(obj, wait=False):
+    """Writes the document as it is and the study into a new folder, and runs it there; with `wait` it returns when that has ended. Returns the
+    window_run.WindowRun. Throws UserError, and leaves no folder where nothing was begun."""
     for parameter in study_of(obj, "").parameters:   # whatever is wrong is told before anything is written
         edits.parameter_value(obj.Document, parameter.target, parameter.unit)
     folder = window_run.new_folder(obj.Document.FileName, obj.Name)
@@ -175,7 +175,7 @@ def start(obj):
         shutil.rmtree(folder, ignore_errors=True)
         raise
     obj.Folder = folder
-    return _told(obj, run)
+    return _told(obj, run, wait)
 
 
 def _name_of_copy(path):
@@ -184,9 +184,9 @@ def _name_of_copy(path):
     return name if name.endswith(".FCStd") and name != "base.FCStd" else "part.FCStd"
 
 
-def go_on(obj, more=0):
-    """Runs what waits in the study's folder, with so many cases more. Returns the window_run.WindowRun. Throws UserError."""
-    return _told(obj, window_run.WindowRun(folder_of(obj), obj.Jobs, more))
+def go_on(obj, more=0, wait=False):
+    """Runs what waits in the study's folder, with so many cases more; with `wait` as for `start`. Returns the window_run.WindowRun. Throws UserError."""
+    return _told(obj, window_run.WindowRun(folder_of(obj), obj.Jobs, more), wait)
 
 
 def folder_of(obj):
@@ -205,9 +205,11 @@ def existing_folder_of(obj):
     return path
 
 
-def _told(obj, run):
+def _told(obj, run, wait):
     for hook in on_run:
         hook(obj, run)
+    if wait:
+        run.wait()
     return run
 
 

@@ -21,6 +21,9 @@ from .folder import StudyFolder, has_study
 translate = FreeCAD.Qt.translate
 _SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "run_main.py")
 _NAMES = ("freecadcmd", "FreeCADCmd")
+_LOOK_EVERY = 0.5   # s
+# Waits for a job in the window, which lives meanwhile; None where there is no window.
+run_job = None
 
 
 class WindowRun:
@@ -46,6 +49,23 @@ class WindowRun:
 
     def is_running(self):
         return self._process.poll() is None
+
+    def wait(self):
+        """Returns when it has ended. Throws UserError where it ended before all cases were run."""
+        if run_job is None:
+            self.run()
+        else:
+            run_job(self)
+        if self.problem():
+            raise UserError(self.problem())
+
+    def run(self, progress=lambda step, share: True):
+        """The same as a job, for any thread: `progress` returns False to stop the study."""
+        while self.is_running():
+            finished, total, *_ = how_far(self.folder)
+            if not progress("cases", finished / max(1, total)):
+                self.stop()
+            time.sleep(_LOOK_EVERY)
 
     def stop(self):
         """Asks it to end; what was finished is kept."""

@@ -1121,6 +1121,10 @@
       <translation>Zielgröße {response:text}: {why:messages}</translation>
     </message>
     <message>
+      <source>running the cases of the study</source>
+      <translation>Fälle der Studie laufen</translation>
+    </message>
+    <message>
       <source>saved {path:text}, but cannot write the report: {why:messages}</source>
       <translation>{path:text} ist gespeichert, aber der Bericht kann nicht geschrieben werden: {why:messages}</translation>
     </message>
