@@ -13,6 +13,8 @@ import Part
 from freecad.featuremesh import api, cli, documents, export, tasks
 from parts import new_document, plate_with_hole
 
+BRACKET = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples", "bracket.FCStd")
+
 
 class Tasks(unittest.TestCase):
 
@@ -299,6 +301,13 @@ class Tasks(unittest.TestCase):
 
     def test_unwritable_output(self):
         self.refused("cannot write", command="mesh", part=self.part, size=4.0, out=self.path("none/out.FCStd"))
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_an_analysis_without_a_mesh_is_not_solved(self):
+        for which in ({}, {"ccx": True}):
+            self.refused("^Analysis has no mesh; mesh its part first, by Mesh a part or `featuremesh mesh`$", command="solve", part=BRACKET,
+                         out=self.path("out.FCStd"), **which)
+        self.refused("needs one mesh of FeatureMesh", command="solve", part=BRACKET, live=True, out=self.path("out.FCStd"))
 
     def test_export_without_a_mesh_and_unknown_format(self):
         self.refused("has no mesh", command="export", part=self.part, format="vtu", out=self.path("mesh.vtu"))

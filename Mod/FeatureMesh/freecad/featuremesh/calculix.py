@@ -17,7 +17,7 @@ import FreeCAD
 import numpy as np
 from femtools import ccxtools
 
-from . import frd, solvers, solving, statics, statics_model, statics_result, versions
+from . import analyses, frd, solvers, solving, statics, statics_model, statics_result, versions
 from .errors import UserError
 from .messages import said
 from .reading import describe
@@ -84,6 +84,8 @@ def as_arrays(analysis):
 
 def write_input(tools, folder, analysis):
     """FreeCAD's input file, in the folder. Throws UserError."""
+    if not analyses.meshes_of(analysis):
+        raise UserError(said("{analysis:text} has no mesh; mesh its part first, by Mesh a part or `featuremesh mesh`", analysis=describe(analysis)))
     tools.setup_working_dir(folder)
     tools.update_objects()
     problem = tools.check_prerequisites()

@@ -1521,6 +1521,10 @@
       <translation>z {z:length}</translation>
     </message>
     <message>
+      <source>{analysis:text} has no mesh; mesh its part first, by Mesh a part or `featuremesh mesh`</source>
+      <translation>{analysis:text} hat kein Netz; zuerst das Bauteil vernetzen, mit „Bauteil vernetzen“ oder `featuremesh mesh`</translation>
+    </message>
+    <message>
       <source>{anew:count} of {all:count} {all:element|elements} {anew:does|do} not fit the part and {anew:was|were} made anew: {reasons:messages}</source>
       <translation>{anew:count} von {all:count} {all:Element|Elementen} {anew:passt|passen} nicht zum Bauteil und {anew:wurde|wurden} neu gemacht: {reasons:messages}</translation>
     </message>
