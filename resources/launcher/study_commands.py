@@ -59,6 +59,10 @@ def set_up_to_run(given, live=False):
             raise UserError(f"{option} {count}: at least one job is needed")
     if given.scheduler and not re.search(r":\d+$", given.scheduler):
         raise UserError(f"--scheduler {given.scheduler}: the address of a scheduler is tcp://HOST:PORT, such as tcp://localhost:8786")
+    if given.slurm is not None:
+        with errors_of_studies():
+            from freecad.featuremesh.study.slurm import refuse_without_slurm
+            refuse_without_slurm()
     set_up(packages.STUDY_PACKAGES + (packages.SOLVER_PACKAGES if live else ()) + (packages.CLUSTER_PACKAGES if given.scheduler or given.slurm is not None else ())
            + (packages.OPTUNA_PACKAGES if getattr(given, "method", None) == "optuna" else ()))
 

@@ -113,7 +113,8 @@ class Dask(StudyTest):
     def test_slurm_jobs(self):
         """A stand-in for dask-jobqueue, whose Slurm jobs are processes here; what it is asked for is what a case needs."""
         (self.folder / "dask_jobqueue.py").write_text(JOBQUEUE, encoding="utf-8")
-        self.environment.update(PYTHONPATH=str(self.folder), ASKED=str(self.folder / "asked.json"))
+        (self.folder / "sbatch").touch(0o755)
+        self.environment.update(PATH="%s:%s" % (self.folder, os.environ["PATH"]), PYTHONPATH=str(self.folder), ASKED=str(self.folder / "asked.json"))
         self.response_file("return float(case.id)")
         self.study("run", "study.toml", "--folder", "there", "--slurm", 2)
         self.assertEqual(self.states("there"), ["done"] * 4)
@@ -130,6 +131,13 @@ class Dask(StudyTest):
             self.skipTest("dask-jobqueue is installed")
         self.response_file("return 1.0")
         self.assertIn("--slurm needs dask-jobqueue", self.study("run", "study.toml", "--slurm", 2, code=2)[1])
+
+    def test_slurm_is_looked_for_before_the_base_is_made(self):
+        (self.folder / "dask_jobqueue.py").write_text(JOBQUEUE, encoding="utf-8")
+        self.environment.update(PYTHONPATH=str(self.folder), FREECADCMD="/no/freecad")
+        self.response_file("return 1.0")
+        self.assertIn("--slurm needs Slurm's program sbatch", self.study("run", "study.toml", "--slurm", 2, code=2)[1])
+        self.assertFalse((self.folder / "study-study").exists())
 
     def test_no_scheduler(self):
         self.response_file("return 1.0")

@@ -371,12 +371,12 @@
       <translation>--scheduler braucht Dask: Debians Paket python3-distributed installieren</translation>
     </message>
     <message>
-      <source>--slurm needs dask-jobqueue, which is not among Debian's packages: python3 -m pip install dask-jobqueue</source>
-      <translation>--slurm braucht dask-jobqueue, das nicht unter Debians Paketen ist: python3 -m pip install dask-jobqueue</translation>
+      <source>--slurm needs Slurm's program sbatch, which is not on this machine's path; run the study on a machine that submits Slurm jobs</source>
+      <translation>--slurm braucht Slurms Programm sbatch, das auf dieser Maschine nicht im Suchpfad ist; die Studie auf einer Maschine rechnen, die Slurm-Jobs abschickt</translation>
     </message>
     <message>
-      <source>--slurm {jobs:count}: at least one job is needed</source>
-      <translation>--slurm {jobs:count}: mindestens ein Job ist nötig</translation>
+      <source>--slurm needs dask-jobqueue, which is not among Debian's packages: python3 -m pip install dask-jobqueue</source>
+      <translation>--slurm braucht dask-jobqueue, das nicht unter Debians Paketen ist: python3 -m pip install dask-jobqueue</translation>
     </message>
     <message>
       <source>10-node tetrahedra have mid-side nodes on the surface; 4-node ones are too stiff in bending</source>
