@@ -59,6 +59,7 @@ def check_kinds(mesh):
 
 
 def check_cancel(document, mesh):
+    document.recompute()
     names, steps = {obj.Name for obj in document.Objects}, document.UndoCount
     settings = open_with((mesh,))
     assert settings.zone in mesh.MeshRegionList and settings.zone.Kind == "Box"
@@ -70,6 +71,7 @@ def check_cancel(document, mesh):
     assert "Traceback" not in report_view()[len(said):], report_view()
     assert {obj.Name for obj in document.Objects} == names and document.UndoCount == steps and not document.HasPendingTransaction
     assert not mesh.MeshRegionList and not Gui.Control.activeDialog()
+    assert "Touched" not in mesh.State   # there is nothing to recompute
 
 
 def check_sphere(document, mesh):
@@ -104,11 +106,13 @@ def check_sphere(document, mesh):
 
 def check_double_click(document, mesh):
     zone, = mesh.MeshRegionList
+    document.recompute()
     count = mesh.TetCount
     settings = open_again(zone)
     settings.lengths["InnerSize"].setProperty("rawValue", 0.5)
     click_in_panel("Cancel")
     assert zone.InnerSize.Value == 1.0 and not document.HasPendingTransaction
+    assert not {"Touched"} & {*zone.State, *mesh.State}, (zone.State, mesh.State)
     settings = open_again(zone)
     click(settings.suppressed)
     click_in_panel("Ok")

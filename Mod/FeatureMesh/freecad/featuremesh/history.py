@@ -7,7 +7,7 @@ groups by which a solver finds the nodes of constraints are renewed when the ref
 
 import FreeCAD
 
-from . import analyses, recompute_errors, references, results, versions
+from . import analyses, recompute_errors, references, results, size_zone, versions
 from .mesh_properties import OUT_OF_DATE
 
 _WATCHED = ("References", *references.ALONG, "Group", "MeshGroupList", "MeshRegionList")
@@ -15,6 +15,7 @@ _observer = None
 _deleted = {}   # name of a document -> names of the objects deleted from it
 _recomputed = set()   # names of the documents that were recomputed since they were opened
 _undone = set()   # and of those in which something was undone or redone since
+_untouched = {}   # name of a document -> names of the meshes and zones that were not touched when its last transaction began
 _left_touched = {}   # name of a document -> names of the objects that recomputes left touched, or have come to so far
 
 
@@ -54,7 +55,17 @@ class _Observer:
     def slotUndoDocument(self, document):
         _show_states(document)
 
-    slotRedoDocument = slotAbortTransaction = slotUndoDocument
+    slotRedoDocument = slotUndoDocument
+
+    def slotOpenTransaction(self, document, _):
+        _untouched[document.Name] = [obj.Name for obj in document.Objects if (_is_ours(obj) or size_zone.is_zone(obj)) and "Touched" not in obj.State]
+
+    def slotAbortTransaction(self, document):
+        """FreeCAD takes back what was set, but not its mark that something was."""
+        _show_states(document)
+        for obj in document.Objects:
+            if obj.Name in _untouched.get(document.Name, ()):
+                obj.purgeTouched()
 
     def slotStartSaveDocument(self, document, _):
         for mesh in _missed_an_edit(document):
@@ -86,6 +97,7 @@ class _Observer:
         _recomputed.discard(document.Name)
         _undone.discard(document.Name)
         _left_touched.pop(document.Name, None)
+        _untouched.pop(document.Name, None)
         results.forget(document)
 
     def slotChangedObject(self, obj, name):
