@@ -14,7 +14,7 @@ import FreeCAD
 import numpy as np
 import ObjectsFem
 from analyses import quantity
-from freecad.featuremesh import api, live_result, mesh_object, mesh_properties, messages, results, solve_guard, statics, user_words
+from freecad.featuremesh import api, live_result, mesh_object, mesh_properties, messages, results, solve_guard, statics, user_words, versions
 from freecad.featuremesh.errors import UserError
 from parts import plate_with_hole
 from statics_cases import HAS_SOLVER, STEEL, Case, edges_along, faces_at
@@ -322,6 +322,30 @@ class Live(Case):
             self.document.Box.Length = 44
             self.document.recompute()
             self.check_is_fresh(self.document.Analysis, live)
+
+    def test_an_edit_of_a_linked_document_makes_it_out_of_date(self):
+        with tempfile.TemporaryDirectory() as folder:
+            other = FreeCAD.newDocument("Other")
+            self.addCleanup(FreeCAD.closeDocument, other.Name)
+            box, link = other.addObject("Part::Box", "Box"), self.document.addObject("App::Link", "Link")
+            for document in (other, self.document):
+                document.recompute()
+                document.saveAs(os.path.join(folder, document.Name + ".FCStd"))
+            link.LinkedObject, analysis = box, self.analysis()
+            mesh = api.add_mesh(link, 4.0, order=1)
+            self.document.recompute()
+            part = versions.part_of(mesh)
+            self.fix(analysis, part, faces_at(part, 0, 0))
+            self.force(analysis, part, faces_at(part, 0, 10))
+            live = api.live_result(analysis)
+            self.check_is_fresh(analysis, live)
+            box.Length = 14
+            other.recompute()
+            self.assertEqual(live.Status, live_result.OUT_OF_DATE)
+            self.document.recompute()
+            self.check_is_fresh(analysis, live)
+            other.recompute()   # nothing changed
+            self.assertEqual(live.Status, live_result.UP_TO_DATE)
 
     def test_undo_is_out_of_date_until_it_is_solved(self):
         self.document.UndoMode = 1

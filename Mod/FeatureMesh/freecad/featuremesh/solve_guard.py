@@ -29,7 +29,7 @@ def reason(analysis):
         return translate("FeatureMesh", "%s has no mesh; let it share %s (api.share_mesh), or give it one of its own") % (
             analysis.Label, _ours_in(analysis.Document)[0].Label)
     for mesh in analyses.meshes_of(analysis) if analysis is not None else ():
-        problem = mesh.Proxy.why_not_to_solve(mesh) or _not_recomputed(mesh) or _clicked_elsewhere(analysis, mesh) \
+        problem = mesh.Proxy.why_not_to_solve(mesh) or not_recomputed(mesh) or _clicked_elsewhere(analysis, mesh) \
             or _without_elements(analysis, mesh) if analyses.is_ours(mesh) else ""
         if problem:
             return problem
@@ -40,7 +40,8 @@ def _lost(analysis):
     return next((sentence for _, sentence in references.unmended(analysis)), "") if analysis is not None else ""
 
 
-def _not_recomputed(mesh):
+def not_recomputed(mesh):
+    """What its part comes from and was edited since the last recompute, as a sentence; "" when nothing was."""
     source = analyses.source_of(mesh)
     part = versions.part_of(source) if source is not None else None
     edited = history.edited_of(mesh.Document, _all_behind(dependencies(part))) if part is not None else []
