@@ -20,7 +20,7 @@ from freecad.featuremesh.live_result import LiveResult
 from freecad.featuremesh.messages import english
 from freecad.featuremesh.study.study_object import StudyObject
 from meshed_plate import MeshedPlate, points_of
-from parts import new_document, placement
+from parts import groups_in_freecad, new_document, placement
 
 
 class WithoutEngine(MeshedPlate):
@@ -455,6 +455,17 @@ class IgnoredDetails(unittest.TestCase):
         self.assertEqual(self.mesh.KeptNodes, 0)   # with other details than before, nothing of the old mesh is of use
         line, = [english(line) for line in report["warnings"]]
         self.assertRegex(line, r"^Details smaller than 0.01 mm have no elements of their own: Face\d+ \((Block, )?Top(, Block)?\),.* Edge\d+ .*[.]$")
+
+    def test_a_group_of_nothing_else_says_that_it_has_no_elements(self):
+        self.mesh.IgnoreBelow = 0.01
+        part = versions.part_of(self.mesh)
+        by_area = sorted(range(1, len(part.Shape.Faces) + 1), key=lambda number: part.Shape.Faces[number - 1].Area)
+        for number in (by_area[0], by_area[-1]):
+            api.add_group(self.mesh, [(part, "Face%d" % number)])
+        lines = [english(line) for line in api.update_mesh(self.mesh)["warnings"]]
+        self.assertEqual([line.partition(" is too small")[0] for line in lines if line.startswith("MeshGroup")],
+                         ["MeshGroup has nodes and no elements: Face%d" % by_area[0]])
+        self.assertEqual(sorted(groups_in_freecad(self.mesh)), ["MeshGroup001", "MeshGroup001_Nodes", "MeshGroup_Nodes"])
 
     def test_are_ignored_from_the_first_mesh_on_by_a_script(self):
         self.mesh.IgnoreBelow = 0.01

@@ -18,6 +18,7 @@ import numpy as np
 from . import analyses
 from .formats import FILLING, connectivity, entity_name, is_single_entity, vtk
 from .materials import material_groups
+from .messages import said
 from .resolving import Resolver
 from .waiting import let_the_window_live
 
@@ -336,6 +337,17 @@ def _groups_of_references(name, group, resolver, entities):
     result = [entry for entry in result if len(entry[2])]
     result.append((name + "_Nodes", "Node", _union([entities.nodes(sub) for sub in names])))
     return result
+
+
+def remarks_on_groups(part_mesh, mesh, part, raw=None):
+    """Which mesh group objects have nodes and no elements, as messages."""
+    groups, arrays = getattr(mesh, "MeshGroupList", []), part_mesh.arrays()
+    if not groups or not len(arrays["shared_nodes"]):
+        return []
+    small, resolver = EntityGroups(arrays).names_without_elements(), Resolver(part, raw)
+    named = [(group, resolver.of_object(group)[0]) for group in groups]
+    return [said("{group:text} has nodes and no elements: {places:entities} is too small for them, or lies on another face; choose another face, or set Ignore below to off",
+                 group=group.Label, places=names) for group, names in named if names and small.issuperset(names)]
 
 
 def _name_of(group):

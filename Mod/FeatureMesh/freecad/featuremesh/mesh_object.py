@@ -192,6 +192,7 @@ class FeatureMesh(Stateless):
         report["warnings"] = report.get("warnings", []) + moved
         self.settle(mesh, self._referring(mesh), job.raw)
         report["warnings"] += self._what_is_elsewhere(mesh, self._dependents(mesh), job.raw).values()
+        report["warnings"] += hand_over.remarks_on_groups(job.part_mesh, mesh, versions.part_of(mesh), job.raw)
         return report
 
     def fail(self, mesh, error):

@@ -1633,6 +1633,10 @@
       <translation>{format:text} würde die Schalen dieses Netzes verlieren; es als inp, vtu, vtk, msh, unv oder med exportieren</translation>
     </message>
     <message>
+      <source>{group:text} has nodes and no elements: {places:entities} is too small for them, or lies on another face; choose another face, or set Ignore below to off</source>
+      <translation>{group:text} hat Knoten, aber keine Elemente: {places:entities} ist zu klein für sie oder liegt auf einer anderen Fläche; eine andere Fläche wählen oder Weglassen unter auf aus stellen</translation>
+    </message>
+    <message>
       <source>{key:text} of the response {response:text} cannot be {value:text}</source>
       <translation>{key:text} der Zielgröße {response:text} kann nicht {value:text} sein</translation>
     </message>
