@@ -12,6 +12,7 @@ import numpy as np
 from . import adopt, analyses, chosen_solids, contact_faces, copied_part, engine, hand_over, history, log, mesh_properties, messages, mixed_elements, references, refinements
 from . import results, rigid_bodies, solve_guard, state, state_property, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
+from .given_mesh import give
 from .job import MeshJob
 from .lost_references import LostReferences
 from .messages import said
@@ -161,7 +162,7 @@ class FeatureMesh(Stateless):
         fem_mesh = self._fem_mesh(mesh, job.part_mesh, job.raw)
         handed_over = time.perf_counter()
         self._store(mesh, job)   # first, so that a full disk leaves the old mesh with its old state
-        mesh.FemMesh = fem_mesh
+        give(mesh, fem_mesh)
         self._later, self._shape = {}, job.shape
         self.note_references(mesh, self._referring(mesh), job.raw, anew=True)
         job.seconds.update(hand_over=handed_over - start, state=time.perf_counter() - handed_over)
@@ -178,7 +179,7 @@ class FeatureMesh(Stateless):
         """Like finish, for a document that is never saved: no state is written, and FemMesh is made only `for_freecad`. Returns the report."""
         report = self._report_with_references(mesh, job)
         if for_freecad:
-            mesh.FemMesh = self._fem_mesh(mesh, job.part_mesh, job.raw)
+            give(mesh, self._fem_mesh(mesh, job.part_mesh, job.raw))
         self._part_mesh, self._raw = job.part_mesh, job.raw
         mesh.Status = UP_TO_DATE
         return report
@@ -250,7 +251,7 @@ class FeatureMesh(Stateless):
         if checksum == self._shown:
             return
         if not checksum:
-            mesh.FemMesh = Fem.FemMesh()
+            give(mesh, Fem.FemMesh())
             if mesh.StateName:
                 mesh.Status = failed(mesh, StateError(said("the document holds no mesh state")))
         else:
@@ -407,7 +408,7 @@ class FeatureMesh(Stateless):
         mesh.StateName = self._shown
         fem_mesh = hand_over.reopened(mesh.FemMesh, saved.arrays)
         if fem_mesh is not None:
-            mesh.FemMesh = fem_mesh
+            give(mesh, fem_mesh)
         mesh.purgeTouched()
 
     def _note_what_is_not_known(self, mesh):
@@ -418,7 +419,7 @@ class FeatureMesh(Stateless):
             self.note_references(mesh, objects, anew=is_copy)
 
     def _show(self, mesh, part_mesh):
-        mesh.FemMesh = self._fem_mesh(mesh, part_mesh)
+        give(mesh, self._fem_mesh(mesh, part_mesh))
 
     def _fem_mesh(self, mesh, part_mesh, raw=None):
         return hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, versions.part_of(mesh), raw))

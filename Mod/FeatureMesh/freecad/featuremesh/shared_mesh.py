@@ -9,6 +9,7 @@ import Fem
 
 from . import analyses, hand_over, state, versions
 from .errors import StateError
+from .given_mesh import give
 from .proxies import Stateless
 from .resolving import Resolver
 
@@ -42,7 +43,7 @@ class SharedMesh(Stateless):
         except StateError:
             return   # the mesh's own object says so
         if fem_mesh is not None:
-            shared.FemMesh = fem_mesh
+            give(shared, fem_mesh)
         self._shown = state.checksum_of(mesh.SavedState)
         shared.purgeTouched()
 
@@ -56,9 +57,9 @@ class SharedMesh(Stateless):
             return
         if checksum:
             part_mesh, resolver = mesh.Proxy.last_part_mesh(mesh), Resolver(versions.part_of(mesh))
-            shared.FemMesh = hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, resolver.part, analysis_of=shared))
+            give(shared, hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, resolver.part, analysis_of=shared)))
         else:
-            shared.FemMesh = Fem.FemMesh()
+            give(shared, Fem.FemMesh())
         self._shown = checksum
         shared.purgeTouched()
 

@@ -7,6 +7,7 @@ import ObjectsFem
 from femtools import femutils
 
 from . import hand_over, mesh_object, results
+from .given_mesh import give
 from .proxies import HIDDEN, NO_TOUCH
 
 _TENSOR = (("XX", 0), ("YY", 1), ("ZZ", 2), ("XY", 3), ("YZ", 4), ("XZ", 5))   # FreeCAD's names of the columns
@@ -34,7 +35,7 @@ def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
         if result.Mesh.ViewObject is not None:
             result.Mesh.ViewObject.Visibility = False   # FEM's result panel shows it
     if not same_mesh:
-        result.Mesh.FemMesh = result_mesh(arrays)
+        give(result.Mesh, result_mesh(arrays))
     fill(result, fields)
     _note_nodes(result, arrays["node_numbers"])
     results.note_again(result)

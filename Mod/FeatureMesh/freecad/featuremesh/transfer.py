@@ -8,6 +8,7 @@ import ObjectsFem
 
 from . import adopt, analyses, engine, results
 from .errors import UserError
+from .given_mesh import give
 from .messages import said
 from .reading import describe
 
@@ -123,7 +124,7 @@ def _add_result(mesh, name):
     document = mesh.Document
     new = ObjectsFem.makeResultMechanical(document, name)
     shown = document.addObject("Fem::FemMeshObject", name + "_Mesh")
-    shown.FemMesh = Fem.FemMesh(mesh.FemMesh)
+    give(shown, Fem.FemMesh(mesh.FemMesh))
     new.Mesh = shown
     for analysis in analyses.directly_holding(mesh)[:1]:
         analysis.addObject(new)
