@@ -6,7 +6,9 @@ Run by test_window.py; see drive_window.py for the result and the pictures.
 import gc
 import os
 import sys
+import tempfile
 import time
+from unittest import mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
@@ -14,6 +16,7 @@ import FreeCADGui as Gui  # noqa: E402
 import numpy as np  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
+from pivy import coin  # noqa: E402
 from PySide import QtGui  # noqa: E402
 from window import figures, panel, picture, pixels, spin, wait_for  # noqa: E402
 
@@ -190,6 +193,59 @@ def check_load_double_clicked(document, mesh):
     show("FeatureMesh_ShowQuality", "QualityPanel")
 
 
+def drawn_triangles(mesh):
+    search = coin.SoSearchAction()
+    search.setType(coin.SoIndexedFaceSet.getClassTypeId())
+    search.setSearchingAll(True)
+    search.apply(mesh.ViewObject.RootNode)
+    return search.getPath().getTail().coordIndex.getNum() // 4
+
+
+def check_large(document, mesh):
+    """Of a large mesh FreeCAD's view is given the surface, which it draws as what it finds of a small one; the object has all elements."""
+    from freecad.featuremesh import hand_over
+    seen, counts = [], []
+    for few in (hand_over._LARGE, 1):   # by FreeCAD itself, by the surface
+        with mock.patch.object(hand_over, "_LARGE", few):
+            move_hole(document, 23)
+            move_hole(document, 24)
+        seen.append(pixels())
+        counts.append(drawn_triangles(mesh))
+        arrays = mesh.Proxy.arrays(mesh)
+        assert counts[-1] == len(arrays["triangles"]), counts
+        assert set(mesh.FemMesh.Volumes) == set(arrays["tet_numbers"].tolist())
+    picture("overlay_large")
+    same = (seen[0] == seen[1]).all(axis=2).mean()
+    assert same > 0.99, same   # lines of the two sides of a face may change places
+    mesh.ViewObject.ShowInner = True
+    spin()
+    assert drawn_triangles(mesh) > 2 * counts[-1], (drawn_triangles(mesh), counts)
+    with mock.patch.object(hand_over, "_LARGE", 1):
+        move_hole(document, 23)
+    assert drawn_triangles(mesh) > 2 * counts[-1], (drawn_triangles(mesh), counts)
+    mesh.ViewObject.ShowInner = False
+
+
+def check_opened(document, mesh):
+    """A mesh of an opened document, and its copy, are there with all elements, and drawn."""
+    from freecad.featuremesh import api, given_mesh
+    numbers, count = set(mesh.FemMesh.Volumes), drawn_triangles(mesh)
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "opened.FCStd")
+        document.saveCopy(path)
+        opened = FreeCAD.openDocument(path)
+        there, = api.meshes_of(opened)
+        copy = opened.copyObject(there)
+        for obj in (there, copy):
+            assert len(obj.FemMesh.Volumes) == len(numbers) and drawn_triangles(obj) == count, (obj.Name, obj.FemMesh, drawn_triangles(obj), count)
+        assert set(there.FemMesh.Volumes) == numbers
+        assert not given_mesh._aside
+        FreeCAD.closeDocument(opened.Name)
+    FreeCAD.setActiveDocument(document.Name)
+    Gui.setActiveDocument(document.Name)
+    spin()
+
+
 def check_many(path):
     """Seconds of the processor until many elements are shown in colours, and for each step of a drag, against the number of them."""
     document = FreeCAD.openDocument(path)
@@ -231,6 +287,8 @@ def drive():
     body.ViewObject.Visibility = False
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
+    check_large(document, mesh)
+    check_opened(document, mesh)
     move_hole(document, 24)
     document.openTransaction("Move the hole")
     move_hole(document, 26)

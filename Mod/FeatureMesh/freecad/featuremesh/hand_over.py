@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hands an engine mesh over to FreeCAD, with its numbers and groups.
 
-A mesh whose numbers have no gaps (a first one, a result's) goes through a file of VTK's, which FreeCAD reads three to five times as fast as
-it takes elements one by one. Its readers close gaps, so an updated mesh is handed over element by element. FreeCAD closes gaps when it opens
-a document, too; there an updated mesh is built again.
+A mesh whose numbers have no gaps (a first one, a result's) goes through a file of VTK's, which FreeCAD reads up to twice as fast as it takes elements
+one by one; a large one does not while there is a window, which would wait for the whole file. Its readers close gaps, so an updated mesh is handed over
+element by element. FreeCAD closes gaps when it opens a document, too; there an updated mesh is built again.
 """
 
 import functools
@@ -13,6 +13,7 @@ import tempfile
 from collections import deque
 
 import Fem
+import FreeCAD
 import numpy as np
 
 from . import analyses
@@ -27,6 +28,7 @@ SMESH_TET = [0, 2, 1, 3, 6, 5, 4, 7, 9, 8]
 _KINDS = {"Solid": "Volume", "Face": "Face", "Edge": "Edge", "Vertex": "Node"}
 _CHUNK = 20000   # rows between two looks at the window
 _FEW_GROUPS = 400   # FreeCAD looks through all elements for each; with more than these that costs more than reading a file saves
+_LARGE = 100000      # elements; in so many FreeCAD looks for the surface for a quarter of a second
 _LONG_RUN = 6        # elements with consecutive numbers; of shorter runs each is told its number
 # By FreeCAD's kind, in the order in which a first mesh numbers them.
 _ARRAYS = {"Face": FILLING[1], "Volume": FILLING[0], "Edge": FILLING[2]}
@@ -41,6 +43,19 @@ def to_fem_mesh(part_mesh, groups):
     return build(part_mesh.arrays(), groups)
 
 
+def skin(obj, arrays):
+    """A FemMesh of the triangles alone, for the view of an object that is given a large mesh; None where FreeCAD may look for the surface itself, since
+    the mesh is small, or has to draw what is inside, too."""
+    view = getattr(obj, "ViewObject", None)
+    if view is None or view.ShowInner or len(arrays["tets"]) < _LARGE:
+        return None
+    mesh, nodes = Fem.FemMesh(), connectivity(arrays, "triangles", "triangle_mids")
+    used, numbers = np.unique(nodes), arrays["node_numbers"]
+    _for_each(mesh.addNode, *arrays["points"][used].T, numbers[used])
+    _for_each(mesh.addFace, numbers[nodes], arrays["triangle_numbers"])
+    return mesh
+
+
 def has_gaps(arrays):
     """Are there numbers between 1 and the largest that no node, or no element, has?"""
     elements = _element_numbers(arrays)
@@ -50,7 +65,8 @@ def has_gaps(arrays):
 
 def build(arrays, groups):
     """The Fem.FemMesh with these arrays, numbers and groups."""
-    mesh = _read_back(arrays) if _is_counted(arrays) and len(groups) <= _FEW_GROUPS else None
+    window_would_wait = FreeCAD.GuiUp and len(arrays["tets"]) >= _LARGE
+    mesh = _read_back(arrays) if _is_counted(arrays) and len(groups) <= _FEW_GROUPS and not window_would_wait else None
     if mesh is None:
         return _Building(arrays, groups).mesh
     _add_groups(mesh, groups)

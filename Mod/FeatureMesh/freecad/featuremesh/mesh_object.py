@@ -9,8 +9,8 @@ import FreeCAD
 import Fem
 import numpy as np
 
-from . import adopt, analyses, chosen_solids, contact_faces, copied_part, engine, hand_over, history, log, mesh_properties, messages, mixed_elements, references, refinements
-from . import results, rigid_bodies, solve_guard, state, state_property, too_fine, versions
+from . import adopt, analyses, chosen_solids, contact_faces, copied_part, engine, given_mesh, hand_over, history, log, mesh_properties, messages, mixed_elements
+from . import references, refinements, results, rigid_bodies, solve_guard, state, state_property, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .given_mesh import give
 from .job import MeshJob
@@ -41,8 +41,10 @@ class FeatureMesh(Stateless):
     """Proxy of the mesh object. Its class path is stored in documents and never changes."""
 
     Type = "Fem::FeatureMesh"
+    _is_opened = False   # not before all of its document, or of what is pasted, is there
 
     def __init__(self, mesh):
+        self._is_opened = True
         mesh.Proxy = self
         self._forget()
         self._get_ready(mesh)
@@ -68,15 +70,19 @@ class FeatureMesh(Stateless):
             mesh.Status = SETTINGS_CHANGED if differ_from_mesh(mesh, settings_of(mesh)) else UP_TO_DATE
         if name in ("Status", "SavedState") and not FreeCAD.isRestoring() and not mesh.Document.Transacting and "SavedState" in mesh.PropertiesList:
             results.mark(mesh)
+        if not self._is_opened:
+            given_mesh.set_aside(mesh)
 
     def onDocumentRestored(self, mesh):
-        self._forget()
-        self._get_ready(mesh)
-        self._miss_the_engine(mesh)
-        state_property.have_own(mesh)
-        self._shown = state.checksum_of(mesh.SavedState)
-        if self._shown:
-            self._restore(mesh)
+        self._is_opened = True
+        with given_mesh.Opened(mesh) as opened:
+            self._forget()
+            self._get_ready(mesh)
+            self._miss_the_engine(mesh)
+            state_property.have_own(mesh)
+            self._shown = state.checksum_of(mesh.SavedState)
+            if self._shown:
+                self._restore(mesh, opened)
 
     def loads(self, saved):
         self._forget()
@@ -162,7 +168,7 @@ class FeatureMesh(Stateless):
         fem_mesh = self._fem_mesh(mesh, job.part_mesh, job.raw)
         handed_over = time.perf_counter()
         self._store(mesh, job)   # first, so that a full disk leaves the old mesh with its old state
-        give(mesh, fem_mesh)
+        give(mesh, fem_mesh, hand_over.skin(mesh, job.part_mesh.arrays()))
         self._later, self._shape = {}, job.shape
         self.note_references(mesh, self._referring(mesh), job.raw, anew=True)
         job.seconds.update(hand_over=handed_over - start, state=time.perf_counter() - handed_over)
@@ -389,7 +395,7 @@ class FeatureMesh(Stateless):
         except EngineMissing as error:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
 
-    def _restore(self, mesh):
+    def _restore(self, mesh, opened):
         """FreeCAD closes the gaps between numbers when it opens a document; the saved state knows the true ones. Sketch elements have other ids."""
         try:
             saved = state.load(mesh.SavedState)
@@ -406,9 +412,7 @@ class FeatureMesh(Stateless):
         if part is not None and has_shape(part):
             self._note_what_is_not_known(mesh)
         mesh.StateName = self._shown
-        fem_mesh = hand_over.reopened(mesh.FemMesh, saved.arrays)
-        if fem_mesh is not None:
-            give(mesh, fem_mesh)
+        opened.fem_mesh, opened.skin = hand_over.reopened(mesh.FemMesh, saved.arrays), hand_over.skin(mesh, saved.arrays)
         mesh.purgeTouched()
 
     def _note_what_is_not_known(self, mesh):
@@ -419,7 +423,7 @@ class FeatureMesh(Stateless):
             self.note_references(mesh, objects, anew=is_copy)
 
     def _show(self, mesh, part_mesh):
-        give(mesh, self._fem_mesh(mesh, part_mesh))
+        give(mesh, self._fem_mesh(mesh, part_mesh), hand_over.skin(mesh, part_mesh.arrays()))
 
     def _fem_mesh(self, mesh, part_mesh, raw=None):
         return hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, versions.part_of(mesh), raw))

@@ -7,7 +7,7 @@ In FreeCAD an object is in one group at most, so an analysis gets an object of i
 import FreeCAD
 import Fem
 
-from . import analyses, hand_over, state, versions
+from . import analyses, given_mesh, hand_over, state, versions
 from .errors import StateError
 from .given_mesh import give
 from .proxies import Stateless
@@ -21,8 +21,10 @@ class SharedMesh(Stateless):
 
     Type = analyses.SHARED
     _shown = ""   # which state of the mesh FemMesh is of
+    _is_opened = False   # not before all of its document, or of what is pasted, is there
 
     def __init__(self, shared, mesh):
+        self._is_opened = True
         shared.Proxy = self
         shared.addProperty("App::PropertyLink", "Mesh", "Mesh", "The mesh object whose mesh this analysis is solved with")
         if versions.part_property(mesh) not in shared.PropertiesList:
@@ -34,16 +36,21 @@ class SharedMesh(Stateless):
         """Called by recompute."""
         self.show(shared)
 
+    def onChanged(self, shared, name):
+        """Called by FreeCAD when a property was set."""
+        if not self._is_opened:
+            given_mesh.set_aside(shared)
+
     def onDocumentRestored(self, shared):
-        mesh = shared.Mesh
-        if mesh is None or not state.checksum_of(mesh.SavedState):
-            return
-        try:
-            fem_mesh = hand_over.reopened(shared.FemMesh, state.load(mesh.SavedState).arrays)
-        except StateError:
-            return   # the mesh's own object says so
-        if fem_mesh is not None:
-            give(shared, fem_mesh)
+        self._is_opened, mesh = True, shared.Mesh
+        with given_mesh.Opened(shared) as opened:
+            if mesh is None or not state.checksum_of(mesh.SavedState):
+                return
+            try:
+                arrays = state.load(mesh.SavedState).arrays
+            except StateError:
+                return   # the mesh's own object says so
+            opened.fem_mesh, opened.skin = hand_over.reopened(shared.FemMesh, arrays), hand_over.skin(shared, arrays)
         self._shown = state.checksum_of(mesh.SavedState)
         shared.purgeTouched()
 
@@ -57,7 +64,8 @@ class SharedMesh(Stateless):
             return
         if checksum:
             part_mesh, resolver = mesh.Proxy.last_part_mesh(mesh), Resolver(versions.part_of(mesh))
-            give(shared, hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, resolver.part, analysis_of=shared)))
+            groups = hand_over.groups_of(part_mesh, mesh, resolver.part, analysis_of=shared)
+            give(shared, hand_over.to_fem_mesh(part_mesh, groups), hand_over.skin(shared, part_mesh.arrays()))
         else:
             give(shared, Fem.FemMesh())
         self._shown = checksum

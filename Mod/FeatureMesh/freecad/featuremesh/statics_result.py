@@ -35,7 +35,8 @@ def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
         if result.Mesh.ViewObject is not None:
             result.Mesh.ViewObject.Visibility = False   # FEM's result panel shows it
     if not same_mesh:
-        give(result.Mesh, result_mesh(arrays))
+        by_row = {**arrays, "node_numbers": np.arange(1, len(arrays["points"]) + 1)}
+        give(result.Mesh, result_mesh(arrays), hand_over.skin(result.Mesh, by_row))
     fill(result, fields)
     _note_nodes(result, arrays["node_numbers"])
     results.note_again(result)
