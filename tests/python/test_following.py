@@ -287,6 +287,27 @@ class AfterTheMesh(unittest.TestCase):
         self.update()
         self.check(support, 6)
 
+    def test_a_part_that_has_no_shape_for_a_while(self):
+        """A load's panel that is closed then, and undo, say nothing: there is nothing to refer to. The load is on its face when the shape is back."""
+        self.document.UndoMode = 1
+        support = self.support_on_hole(4)
+        self.update()
+        self.document.openTransaction("Delete all features")
+        for name in ("Fillet", "Holes", "Bore", "Rib", "Boss", "Plate"):
+            self.document.removeObject(name)
+        self.document.recompute()
+        self.document.commitTransaction()
+        self.assertTrue(self.body.Shape.isNull())
+        history.settle(support)
+        self.mesh.Proxy.members_changed(self.mesh, after_undo=True)
+        with self.assertRaisesRegex(UserError, "has no shape"):
+            api.add_size_zone(self.mesh)
+        self.document.undo()
+        self.check(support, 4)
+        api.set_parameters(self.document, ["HoleSketch.Hole6Radius=5", "HoleSketch.Hole4Radius=6"])
+        self.update()
+        self.check(support, 4)
+
     def test_what_a_study_asks_for_at_faces_goes_with_them(self):
         self.document.UndoMode = 1
         faces = {self.bracket.label("Face%d" % number): "Face%d" % number for number in range(1, len(self.body.Shape.Faces) + 1)}

@@ -259,6 +259,9 @@ def add_size_zone(mesh, kind="Box", references=None, placement=None, inner=None,
     if kind not in size_zone.KINDS:
         raise UserError(said("a refinement zone is one of {kinds:text}, not {kind:text}", kinds=", ".join(size_zone.KINDS), kind=kind))
     names = _refined_names(mesh, references if kind == size_zone.DISTANCE else None)
+    part = versions.part_of(mesh)
+    if not reading.has_shape(part):
+        raise UserError(reading.no_shape(part))
     unknown = set(measures) - {name.lower() for name in size_zone.MEASURES[kind]}
     if unknown:
         raise UserError(said("a zone of the kind {kind:text} has no {property:text}", kind=kind, property=sorted(unknown)[0]))
@@ -266,7 +269,7 @@ def add_size_zone(mesh, kind="Box", references=None, placement=None, inner=None,
     with all_or_nothing(mesh.Document):
         zone = size_zone.add(mesh, kind, inner)
         zone.OuterSize, zone.Transition, zone.References = outer, transition, _references(mesh, names)
-        size_zone.fit_to(zone, versions.part_of(mesh).Shape.BoundBox)
+        size_zone.fit_to(zone, part.Shape.BoundBox)
         for name, value in measures.items():
             setattr(zone, name.capitalize(), measure_of(name, value))
         if placement is not None:

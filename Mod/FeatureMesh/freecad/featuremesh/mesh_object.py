@@ -336,6 +336,8 @@ class FeatureMesh(Stateless):
         part = versions.part_of(mesh)
         is_as_meshed = self._shape is not None and part.Shape.isPartner(self._shape)
         if not is_as_meshed and raw is None:
+            if not has_shape(part):
+                return   # there is nothing to refer to
             raw = read_document(part)
         found = references.record_of([obj for obj in objects if hasattr(obj, "References")], Resolver(part, raw or self._raw))
         for obj in objects:

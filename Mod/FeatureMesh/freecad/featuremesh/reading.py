@@ -41,7 +41,7 @@ def read_document(part):
     Shapes and frames are given in the frame in which FEM sees `part.Shape`. Throws UserError when it has no shape.
     """
     if not has_shape(part):
-        raise UserError(_no_shape(part))
+        raise UserError(no_shape(part))
     walk = _Walk(part)
     shapes = _ShapeList(_lowest_meshed_in(_shape_of(part)))
     home = part.Document
@@ -114,7 +114,7 @@ def _final_objects(objects, kind):
     return [obj for obj in candidates if obj not in used]
 
 
-def _no_shape(part):
+def no_shape(part):
     """That the part has no shape, with the first feature that has none though one before it had; since 1.0 that is no error."""
     if part.isDerivedFrom("App::LinkGroup"):
         return said("{part:text} is a group of links, which has no shape; make a compound of it (Part: Compound) and mesh that", part=describe(part))
@@ -196,7 +196,7 @@ def refuse_unmeshable(part):
         return
     if _shape_of(part) is None and "Touched" in part.State:
         raise UserError(said("{part:text} has no shape yet; recompute the document first", part=describe(part)))
-    raise UserError(_no_shape(part))
+    raise UserError(no_shape(part))
 
 
 def dependencies(part):
@@ -555,7 +555,7 @@ def _checked_part(obj):
         raise UserError(said("{object:text} is a group, name one of its objects: {members:text}",
                              object=describe(obj), members=", ".join(member.Name for member in obj.Group)))
     if obj.isDerivedFrom("App::LinkGroup"):
-        raise UserError(_no_shape(obj))
+        raise UserError(no_shape(obj))
     if not (_is_drawn_alone(obj) or _has(_shape_of(obj), "Face" if is_drawn(obj) else "Edge")):
         raise UserError(said("{object:text} has no solid{error:text}", object=describe(obj), error=": " + error_of(obj) if error_of(obj) else ""))
     return obj
