@@ -251,6 +251,17 @@ def check_typed_lengths(mesh):
     count_in(mesh.Document, 0)
 
 
+def check_field_of_before():
+    """Where FreeCAD takes a new field for one that is gone, by whose signals it was known, another one is made."""
+    from freecad.featuremesh.gui import freecad_widget
+    gone, new = (freecad_widget.made("Gui::QuantitySpinBox") for _ in range(2))
+    gone.editingFinished.connect(spin)
+    loader = mock.Mock()
+    loader.createWidget.side_effect = [gone, new]
+    with mock.patch.object(Gui, "UiLoader", return_value=loader):
+        assert freecad_widget.made("Gui::QuantitySpinBox") is new
+
+
 def count_in(document, schema):
     """FreeCAD's number of a unit scheme; since 1.0 each document has its own, too."""
     if hasattr(document, "UnitSystem"):
@@ -274,6 +285,7 @@ def drive():
     check_forced_angles(document)
     check_cut()
     check_typed_lengths(mesh)
+    check_field_of_before()
     count_in(document, 3)   # inches with decimals
     check_dimensions()
     check_difference(body, path)

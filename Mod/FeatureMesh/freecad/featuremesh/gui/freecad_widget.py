@@ -8,8 +8,9 @@ from PySide import QtCore, QtGui
 def made(kind):
     """A new one, of a class such as "Gui::QuantitySpinBox".
 
-    FreeCAD 0.20 never forgets by what Python knew such a widget. Where a new one comes to lie at the place in memory of one that is gone, it gives that, of
-    which no use can be made any more. The new one then stays there, unused, so that the next lies elsewhere.
+    FreeCAD 0.20, and PySide 6 where other code looked for all fields of the window, do not forget by what Python knew such a widget. Where a new one comes to
+    lie at the place in memory of one that is gone, they give that, of which no use can be made any more, or whose signals are gone. The new one then stays
+    there, unused, so that the next lies elsewhere.
     """
     loader = Gui.UiLoader()
     while True:
@@ -18,7 +19,8 @@ def made(kind):
             widget.objectName()
         except RuntimeError:
             continue
-        return widget
+        if not vars(widget):   # else the signals that somebody asked the one that is gone for
+            return widget
 
 
 def length_field():
