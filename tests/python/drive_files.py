@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files and other makers' meshes by hand: a STEP file meshed, a mesh saved by FreeCAD's own File > Export, a mesh of FEM's panel of Gmsh adopted.
+"""Files and other makers' meshes by hand: a STEP file meshed, a mesh saved by FreeCAD's own File > Export, a mesh of FEM's panel of Gmsh adopted, a
+live result opened again.
 
 Run by test_window.py with the bracket of the examples; see drive_window.py for the result and the pictures.
 """
@@ -16,6 +17,8 @@ import ImportGui  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 from window import click_button_of, click_in_panel, figures, panel, picture, spin, type_into, wait_for  # noqa: E402
+
+EXAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples", "bracket.FCStd")
 
 
 def select(obj):
@@ -106,7 +109,27 @@ def check_adopted(document):
     return mesh
 
 
+def check_opened_result(path):
+    """The mesh of a result does not lie over the live result in a document that is opened, where FreeCAD 1.1 shows it."""
+    from freecad.featuremesh import api, mesh_object
+    document = FreeCAD.openDocument(path)
+    api.add_mesh(document.Body, 15.0, order=1)
+    document.recompute()
+    live = api.live_result(document.Analysis)
+    wait_for(lambda: live.Status == mesh_object.UP_TO_DATE and live.Result is not None)
+    live.Result.Mesh.ViewObject.Visibility = live.ViewObject.Visibility = True
+    names = live.Name, live.Result.Mesh.Name
+    document.save()
+    FreeCAD.closeDocument(document.Name)
+    document = FreeCAD.openDocument(path)
+    spin(1)
+    picture("opened_result")
+    assert [document.getObject(name).Visibility for name in names] == [True, False]
+    FreeCAD.closeDocument(document.Name)
+
+
 def drive():
+    from freecad.featuremesh import engine
     document = FreeCAD.ActiveDocument
     window.choose_tab(document.Label)
     Gui.activateWorkbench("FemWorkbench")
@@ -116,6 +139,8 @@ def drive():
     with tempfile.TemporaryDirectory() as folder:
         check_export(mesh, folder, "unv", "med")
         check_step(document.Boss.Shape, folder)
+        if not engine.load().statics_missing():
+            check_opened_result(shutil.copy(EXAMPLE, os.path.join(folder, "solved.FCStd")))
 
 
 window.run(drive)

@@ -88,6 +88,13 @@ def install():
     FreeCAD.addDocumentObserver(_Observer())
 
 
+def uncover(live):
+    """To be called when a document with a live result was opened: FreeCAD 1.1 shows the mesh of a result with the result then, also where it was hidden."""
+    covering = getattr(live.Result, "Mesh", None)
+    if live.Visibility and covering is not None:
+        _set_visible([covering], False)
+
+
 class _Observer:
     """Undo and deletion take a mesh or a live result away and leave hidden what it was shown in place of, so that nothing would be seen; when it is back, that
     is hidden again."""

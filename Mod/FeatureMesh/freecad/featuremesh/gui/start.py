@@ -38,7 +38,7 @@ class FeatureMeshWorkbench(Gui.Workbench):
 def start():
     """Makes the workbench known."""
     mesh_object.on_ready.append(view_provider.ViewFeatureMesh.attach_to)
-    live_result.on_ready.append(live_view.ViewLiveResult.attach_to)
+    live_result.on_ready += [live_view.ViewLiveResult.attach_to, showing.uncover]
     live_result.on_solution.append(live_view.show_solution)
     study_object.on_ready.append(study_view.ViewStudy.attach_to)
     size_zone.on_ready.append(zone_view.ViewSizeZone.attach_to)
