@@ -18,6 +18,7 @@ import numpy as np
 
 from . import analyses
 from .formats import FILLING, connectivity, entity_name, is_single_entity, vtk
+from .given_mesh import empty
 from .materials import material_groups
 from .messages import said
 from .resolving import Resolver
@@ -49,7 +50,7 @@ def skin(obj, arrays):
     view = getattr(obj, "ViewObject", None)
     if view is None or view.ShowInner or len(arrays["tets"]) < _LARGE:
         return None
-    mesh, nodes = Fem.FemMesh(), connectivity(arrays, "triangles", "triangle_mids")
+    mesh, nodes = empty(), connectivity(arrays, "triangles", "triangle_mids")
     used, numbers = np.unique(nodes), arrays["node_numbers"]
     _for_each(mesh.addNode, *arrays["points"][used].T, numbers[used])
     _for_each(mesh.addFace, numbers[nodes], arrays["triangle_numbers"])
@@ -95,7 +96,9 @@ def _read(arrays):
     with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
         path = os.path.join(folder, "mesh.vtk")
         vtk.write(path, arrays, [])
-        return Fem.read(path)
+        mesh = empty()
+        mesh.read(path)
+        return mesh
 
 
 @functools.cache
@@ -111,7 +114,7 @@ class _Building:
     there for each group: nodes on edges and faces, nodes inside, then elements in the order of their numbers."""
 
     def __init__(self, arrays, groups):
-        self.mesh, self._largest = Fem.FemMesh(), 0
+        self.mesh, self._largest = empty(), 0
         self._add_nodes(arrays, [group for group in groups if group[1] == "Node"])
         self._add_elements(arrays, [group for group in groups if group[1] != "Node"])
 

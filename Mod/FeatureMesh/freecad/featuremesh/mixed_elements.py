@@ -9,10 +9,10 @@ are likewise the segments of no other element, and those on the edges that a bea
 
 from itertools import combinations
 
-import Fem
 import FreeCAD
 
 from .errors import UserError
+from .given_mesh import empty
 from .reading import describe
 from .wrapping import wrap
 
@@ -129,7 +129,7 @@ class _Elements:
     """A mesh that writes its solids, shells and beams, and nothing else."""
 
     def __init__(self, fem_mesh, member):
-        self._mesh = Fem.FemMesh()
+        self._mesh = empty()
         for number, place in fem_mesh.Nodes.items():
             self._mesh.addNode(place.x, place.y, place.z, number)
         for number in fem_mesh.Volumes:
