@@ -76,10 +76,10 @@ def _quick_view(obj):
     """Meanwhile FreeCAD's view finds the faces inside a mesh by their places, as in a large one, not by comparing all of up to 50 000 with one another. It
     does not do so where they are to be shown."""
     view = getattr(obj, "ViewObject", None)
-    if view is None or view.ShowInner:
+    most = getattr(view, "MaxFacesShowInner", None)
+    if most is None or view.ShowInner:
         yield
         return
-    most = view.MaxFacesShowInner
     view.MaxFacesShowInner = 0
     try:
         yield

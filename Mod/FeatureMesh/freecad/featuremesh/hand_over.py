@@ -47,8 +47,7 @@ def to_fem_mesh(part_mesh, groups):
 def skin(obj, arrays):
     """A FemMesh of the triangles alone, for the view of an object that is given a large mesh; None where FreeCAD may look for the surface itself, since
     the mesh is small, or has to draw what is inside, too."""
-    view = getattr(obj, "ViewObject", None)
-    if view is None or view.ShowInner or len(arrays["tets"]) < _LARGE:
+    if getattr(getattr(obj, "ViewObject", None), "ShowInner", True) or len(arrays["tets"]) < _LARGE:
         return None
     mesh, nodes = empty(), connectivity(arrays, "triangles", "triangle_mids")
     used, numbers = np.unique(nodes), arrays["node_numbers"]
