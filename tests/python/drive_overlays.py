@@ -217,6 +217,7 @@ def check_large(document, mesh):
     picture("overlay_large")
     same = (seen[0] == seen[1]).all(axis=2).mean()
     assert same > 0.99, same   # lines of the two sides of a face may change places
+    assert mesh.ViewObject.MaxFacesShowInner == 0   # else FreeCAD compares all faces with one another, in each undo, too
     mesh.ViewObject.ShowInner = True
     spin()
     assert drawn_triangles(mesh) > 2 * counts[-1], (drawn_triangles(mesh), counts)
@@ -224,6 +225,7 @@ def check_large(document, mesh):
         move_hole(document, 23)
     assert drawn_triangles(mesh) > 2 * counts[-1], (drawn_triangles(mesh), counts)
     mesh.ViewObject.ShowInner = False
+    assert drawn_triangles(mesh) == len(mesh.Proxy.arrays(mesh)["triangles"]) and mesh.ViewObject.MaxFacesShowInner == 0
 
 
 def check_opened(document, mesh):

@@ -77,7 +77,7 @@ def _quick_view(obj):
     does not do so where they are to be shown."""
     view = getattr(obj, "ViewObject", None)
     most = getattr(view, "MaxFacesShowInner", None)
-    if most is None or view.ShowInner:
+    if not most or view.ShowInner:
         yield
         return
     view.MaxFacesShowInner = 0

@@ -11,6 +11,7 @@ from .gui.edited_in_panel import EditedInPanel
 # Called as (mesh, property) when a property of a mesh object has changed.
 followers = []
 ICONS = os.path.join(os.path.dirname(__file__), "icons")
+_MOST_INNER_FACES = 50000   # as FreeCAD has it
 
 
 def icon(name):
@@ -31,6 +32,17 @@ def kept_icon(name):
 
 class ViewFeatureMesh(EditedInPanel):
     """Proxy of the view. Its class path is stored in documents and never changes."""
+
+    def attach(self, view):
+        """Called by FreeCAD."""
+        super().attach(view)
+        self.onChanged(view, "ShowInner")
+
+    def onChanged(self, view, name):
+        """Called by FreeCAD before it draws: unless what is inside is to be shown, it looks for that by places, as in a large mesh. It would compare up to
+        50 000 faces with one another, in each undo, too."""
+        if name == "ShowInner":
+            view.MaxFacesShowInner = _MOST_INNER_FACES if view.ShowInner else 0
 
     def getIcon(self):
         status = getattr(getattr(self, "Object", None), "Status", mesh_object.UP_TO_DATE)
