@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A mesh that an object of FreeCAD is given is the one that was made, not a copy, and the one before is freed."""
 import contextlib
-import resource
 import unittest
 from unittest import mock
 
@@ -9,6 +8,7 @@ import Fem
 import FreeCAD
 from freecad.featuremesh import given_mesh
 from test_hand_over import contents
+from test_soak import megabytes
 
 
 def row_of_tets(count):
@@ -24,12 +24,6 @@ def row_of_tets(count):
 def copying():
     """FreeCAD copies, as where its functions are not found."""
     return mock.patch.object(given_mesh, "_functions", return_value=None)
-
-
-def megabytes():
-    """Memory in use now."""
-    with open("/proc/self/statm", encoding="ascii") as stream:
-        return int(stream.read().split()[1]) * resource.getpagesize() / 1e6
 
 
 class GivenMesh(unittest.TestCase):
