@@ -2,6 +2,7 @@
 """One mesh in several analyses, and copies of analyses with and without their mesh."""
 import shutil
 import unittest
+import zipfile
 
 import ObjectsFem
 from analyses import add_material, add_solver, quantity, solve
@@ -10,6 +11,7 @@ from freecad.featuremesh.errors import UserError
 from meshed_plate import MeshedPlate, points_of
 from parts import groups_in_freecad
 from statics_cases import HAS_SOLVER
+from test_hand_over import contents
 
 STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.3", "Density": "7900 kg/m^3"}
 
@@ -124,6 +126,28 @@ class LoadCases(MeshedPlate):
         self.assertGreater(self.mesh.KeptNodes, 30)
         api.renumber_mesh(self.mesh)
         self.assertEqual(points_of(shared), points_of(self.mesh))
+
+    def test_it_survives_saving_without_freecads_form(self):
+        """Nodes, elements, numbers and groups of both are as they were, and an edit goes on from there."""
+        copy = self.twin()
+        self.mesh.AllGroups = True
+        self.edit(24)   # which leaves gaps between numbers
+        self.mesh.SavedForFreeCAD = False
+        self.assertNotIn("Touched", self.mesh.State)
+        names = [self.mesh.Name, analyses.meshes_of(copy)[0].Name]
+        before = [contents(self.document.getObject(name).FemMesh) for name in names]
+        self.save_and_reopen()
+        with zipfile.ZipFile(self.document.FileName) as saved:
+            self.assertEqual([name for name in saved.namelist() if name.endswith(".unv")], [])
+        self.assertEqual([contents(self.document.getObject(name).FemMesh) for name in names], before)
+        self.assertIn("Feature_Plate", before[0][2])
+        self.assertEqual([obj.Name for obj in self.document.Objects if "Touched" in obj.State], [])
+        self.edit(22)
+        self.assertGreater(self.mesh.KeptNodes, 30)
+        self.mesh.SavedForFreeCAD = True
+        self.save_and_reopen()
+        with zipfile.ZipFile(self.document.FileName) as saved:
+            self.assertEqual(len([name for name in saved.namelist() if name.endswith(".unv")]), 2)
 
     def test_other_copies(self):
         bare = api.copy_analysis(self.analysis, "Bare", mesh="none")

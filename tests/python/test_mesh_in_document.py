@@ -50,6 +50,15 @@ class WithoutEngine(MeshedPlate):
         self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
         self.assertGreater(self.mesh.KeptNodes, 30)
 
+    def test_the_mesh_is_shown_without_freecads_form_too(self):
+        self.edit()
+        self.mesh.SavedForFreeCAD, self.mesh.AllGroups = False, True
+        before = points_of(self.mesh), self.mesh.FemMesh.Volumes
+        self.take_engine_away()
+        self.save_and_reopen()
+        self.assertEqual((points_of(self.mesh), self.mesh.FemMesh.Volumes), before)
+        self.assertIn("Face1_Nodes", groups_in_freecad(self.mesh))
+
     def test_the_message_says_what_is_missing(self):
         with mock.patch.object(engine, "_place", None), mock.patch.object(engine_places, "usable", list), \
                 self.assertRaisesRegex(EngineMissing, "not installed.*shown as it was saved.*Addon Manager.*pip install.*portable zip"):

@@ -106,7 +106,9 @@ def groups_of(mesh):
     """(name, kind, numbers) of every group of a mesh object: of every entity and feature, and those that it has in FreeCAD."""
     known = groups_in(mesh.FemMesh)
     names = {name for name, _, _ in known}
-    return [group for group in hand_over.everything_in_groups(mesh.Proxy.last_part_mesh(mesh)) if group[0] not in names] + known
+    part_mesh = mesh.Proxy.last_part_mesh(mesh)
+    everything = hand_over.everything_in_groups(hand_over.EntityGroups(part_mesh.arrays()), part_mesh.owners_of_tets)
+    return [group for group in everything if group[0] not in names] + known
 
 
 def groups_in(fem_mesh):

@@ -188,11 +188,14 @@ def _for_each(function, *columns):
         let_the_window_live()
 
 
-def reopened(fem_mesh, arrays):
-    """The mesh as it was saved, from what FreeCAD made of it when it opened the document (numbers without gaps).
+def reopened(fem_mesh, arrays, groups_anew):
+    """The mesh as it was saved, from what FreeCAD made of it when it opened the document (numbers without gaps), or where FreeCAD did not save it from
+    the arrays and `groups_anew()`.
 
     None when nothing has to be done, or when `arrays` are not of this mesh.
     """
+    if not fem_mesh.NodeCount and len(arrays["node_numbers"]):
+        return build(arrays, groups_anew())
     elements = _element_numbers(arrays)
     if not has_gaps(arrays) or fem_mesh.NodeCount != len(arrays["node_numbers"]):
         return None
@@ -208,12 +211,12 @@ def reopened(fem_mesh, arrays):
     return build(arrays, groups)
 
 
-def groups_of(part_mesh, mesh, part, raw=None, analysis_of=None):
+def groups_of(arrays, owners_of_tets, mesh, part, raw=None, analysis_of=None):
     """The groups that the mesh object `mesh` has in FreeCAD: per group object and per member of its analysis, or of that of the object
     `analysis_of`, and with its property AllGroups everything_in_groups. `raw` is the part as it was read for the mesh."""
     resolver = Resolver(part, raw)
-    entities = EntityGroups(part_mesh.arrays())
-    groups = everything_in_groups(part_mesh, entities) if mesh.AllGroups else []
+    entities = EntityGroups(arrays)
+    groups = everything_in_groups(entities, owners_of_tets) if mesh.AllGroups else []
     for group in getattr(mesh, "MeshGroupList", []):
         groups += _groups_of_references(_name_of(group), group, resolver, entities)
     known = {name for name, _, _ in groups}
@@ -221,10 +224,9 @@ def groups_of(part_mesh, mesh, part, raw=None, analysis_of=None):
     return [group for group in groups if len(group[2])]
 
 
-def everything_in_groups(part_mesh, entities=None):
+def everything_in_groups(entities, owners_of_tets):
     """The groups of every CAD entity and every feature. FreeCAD itself needs none of them, and would take as long for them as for the elements."""
-    entities = entities or EntityGroups(part_mesh.arrays())
-    return entities.of_all_entities() + [("Feature_" + name, "Volume", numbers) for name, numbers in part_mesh.owners_of_tets() if len(numbers)]
+    return entities.of_all_entities() + [("Feature_" + name, "Volume", numbers) for name, numbers in owners_of_tets() if len(numbers)]
 
 
 def analysis_groups(mesh, resolver, entities):

@@ -17,7 +17,7 @@ from .job import MeshJob
 from .lost_references import LostReferences
 from .messages import said
 from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE,
-                              differ_from_mesh, failed, failure_of, is_of_its_part, settings_of, status_in_words)
+                              choose_form, differ_from_mesh, failed, failure_of, is_of_its_part, settings_of, show_report, status_in_words)
 from .numbering import Numbering
 from .proxies import Stateless
 from .reading import describe, elements_of_today, has_shape, read_document, refuse_gone, shape_of_record, with_elements
@@ -70,6 +70,9 @@ class FeatureMesh(Stateless):
             mesh.Status = SETTINGS_CHANGED if differ_from_mesh(mesh, settings_of(mesh)) else UP_TO_DATE
         if name in ("Status", "SavedState") and not FreeCAD.isRestoring() and not mesh.Document.Transacting and "SavedState" in mesh.PropertiesList:
             results.mark(mesh)
+        if name == "SavedForFreeCAD":
+            for shown in [mesh, *analyses.shares_of(mesh)]:
+                choose_form(shown, mesh)
         if not self._is_opened:
             given_mesh.set_aside(mesh)
 
@@ -176,7 +179,7 @@ class FeatureMesh(Stateless):
         del job.seconds["engine"]
         report["seconds"] = {**report.get("seconds", {}), **job.seconds}
         report["settings"] = job.settings
-        _show_report(mesh, report)
+        show_report(mesh, report)
         mesh.Status = SETTINGS_CHANGED if differ_from_mesh(mesh, settings_of(mesh)) else UP_TO_DATE
         _show_in_other_analyses(mesh)
         return report
@@ -347,6 +350,16 @@ class FeatureMesh(Stateless):
         record = {} if anew else {name: known for name, known in self._record(mesh).items() if name not in [obj.Name for obj in objects]}
         mesh.ReferredTo = json.dumps({**record, **found}, sort_keys=True)
 
+    def groups_as_saved(self, mesh, arrays, shown_by):
+        """The groups of the saved mesh with those arrays, for itself or another object that it is `shown_by`; those of features only where the engine is."""
+        part = versions.part_of(mesh)
+        if part is None or not has_shape(part):
+            return []
+        try:
+            return hand_over.groups_of(arrays, lambda: self.last_part_mesh(mesh).owners_of_tets(), mesh, part, analysis_of=shown_by)
+        except EngineMissing:   # which was said
+            return hand_over.groups_of(arrays, list, mesh, part, analysis_of=shown_by)
+
     def renew_analysis_groups(self, mesh):
         """Makes the groups of constraints and materials anew, without touching the mesh."""
         part = versions.part_of(mesh)
@@ -414,7 +427,8 @@ class FeatureMesh(Stateless):
         if part is not None and has_shape(part):
             self._note_what_is_not_known(mesh)
         mesh.StateName = self._shown
-        opened.fem_mesh, opened.skin = hand_over.reopened(mesh.FemMesh, saved.arrays), hand_over.skin(mesh, saved.arrays)
+        opened.fem_mesh = hand_over.reopened(mesh.FemMesh, saved.arrays, lambda: self.groups_as_saved(mesh, saved.arrays, mesh))
+        opened.skin = hand_over.skin(mesh, saved.arrays)
         mesh.purgeTouched()
 
     def _note_what_is_not_known(self, mesh):
@@ -428,7 +442,7 @@ class FeatureMesh(Stateless):
         give(mesh, self._fem_mesh(mesh, part_mesh), hand_over.skin(mesh, part_mesh.arrays()))
 
     def _fem_mesh(self, mesh, part_mesh, raw=None):
-        return hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh, mesh, versions.part_of(mesh), raw))
+        return hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh.arrays(), part_mesh.owners_of_tets, mesh, versions.part_of(mesh), raw))
 
     def _dependents(self, mesh):
         """Constraints and materials of the analyses with this mesh, its group objects, and studies of its part."""
@@ -578,20 +592,3 @@ def renumbered(arrays):
 def is_cancelled(error):
     """Did the user end the work? The class of that error is the engine's, which need not be loaded."""
     return type(error).__name__ == "Cancelled" or isinstance(error, KeyboardInterrupt)
-
-
-def element_count(report):
-    """How many elements fill the part: tetrahedra, or triangles or segments where those are meshed."""
-    return int(report[{"faces": "triangles", "edges": "segments"}.get(report.get("dimension"), "tets")])
-
-
-def _show_report(mesh, report):
-    report.setdefault("fallback", None)
-    quality, kept = report.get("quality", {}), report.get("kept") or {}
-    mesh.NodeCount, mesh.TetCount = int(report["nodes"]), element_count(report)
-    mesh.KeptNodes = int(100 * kept.get("nodes_share", 0.0))
-    mesh.KeptTets = int(100 * kept.get("tets_share", 0.0))
-    mesh.MinDihedral = float(quality.get("min_dihedral", 0.0))
-    mesh.MeanRadiusRatio = float(quality.get("mean_radius_ratio", 0.0))
-    mesh.Seconds = report["seconds"]["total"]
-    mesh.Report = json.dumps(report, sort_keys=True)

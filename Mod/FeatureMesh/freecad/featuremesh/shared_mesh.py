@@ -10,6 +10,7 @@ import Fem
 from . import analyses, given_mesh, hand_over, state, versions
 from .errors import StateError
 from .given_mesh import give
+from .mesh_properties import choose_form
 from .proxies import Stateless
 from .resolving import Resolver
 
@@ -50,7 +51,8 @@ class SharedMesh(Stateless):
                 arrays = state.load(mesh.SavedState).arrays
             except StateError:
                 return   # the mesh's own object says so
-            opened.fem_mesh, opened.skin = hand_over.reopened(shared.FemMesh, arrays), hand_over.skin(shared, arrays)
+            opened.fem_mesh = hand_over.reopened(shared.FemMesh, arrays, lambda: mesh.Proxy.groups_as_saved(mesh, arrays, shared))
+            opened.skin = hand_over.skin(shared, arrays)
         self._shown = state.checksum_of(mesh.SavedState)
         shared.purgeTouched()
 
@@ -64,7 +66,7 @@ class SharedMesh(Stateless):
             return
         if checksum:
             part_mesh, resolver = mesh.Proxy.last_part_mesh(mesh), Resolver(versions.part_of(mesh))
-            groups = hand_over.groups_of(part_mesh, mesh, resolver.part, analysis_of=shared)
+            groups = hand_over.groups_of(part_mesh.arrays(), part_mesh.owners_of_tets, mesh, resolver.part, analysis_of=shared)
             give(shared, hand_over.to_fem_mesh(part_mesh, groups), hand_over.skin(shared, part_mesh.arrays()))
         else:
             give(shared, Fem.FemMesh())
@@ -98,5 +100,6 @@ def share(mesh, analysis):
     SharedMesh(shared, mesh)
     shared.Label = "%s (%s)" % (mesh.Label, analysis.Label)
     analysis.addObject(shared)
+    choose_form(shared, mesh)
     shared.Proxy.show(shared, anew=True)
     return shared

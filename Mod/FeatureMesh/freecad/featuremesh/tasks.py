@@ -10,7 +10,7 @@ import traceback
 from . import about, api, documents, engine, reading, tables, versions, whole_file
 from .errors import UserError
 from .transfer import find_result
-from .mesh_object import element_count
+from .mesh_properties import element_count
 from .mesh_properties import FROM_SHAPE
 from .messages import english, in_english, of_error, said
 from .reports import add_fallback, plain

@@ -10,7 +10,7 @@ import traceback
 from .. import api, documents, engine, reading, recompute_errors, solve_guard, state, versions
 from ..errors import UserError
 from ..messages import of_error, said, several
-from ..mesh_object import element_count
+from ..mesh_properties import element_count
 from . import case_solver, places, response_words, responses, room
 from .database import DONE, FAILED, INFEASIBLE
 from .design import from_plain
