@@ -3,6 +3,7 @@
 
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
+#include <Standard_Failure.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
@@ -33,10 +34,8 @@ bool lie_on(const std::vector<TopoDS_Shape>& faces, const std::vector<TopoDS_Sha
     });
 }
 
-}  // namespace
-
-bool same_solids(const TopoDS_Shape& a, const TopoDS_Shape& b) {
-    if (a.IsNull() || b.IsNull()) return a.IsNull() && b.IsNull();
+/// Of two that there are.
+bool are_same(const TopoDS_Shape& a, const TopoDS_Shape& b) {
     const std::vector<TopoDS_Shape> only_a = unshared_faces(a, b), only_b = unshared_faces(b, a);
     if (only_a.empty() && only_b.empty()) return true;
     const Box box_a = box_of(a), box_b = box_of(b);
@@ -56,6 +55,17 @@ bool same_solids(const TopoDS_Shape& a, const TopoDS_Shape& b) {
                 return false;
     // a disc with a square hole that is turned on the spot has all of that in common
     return lie_on(only_a, only_b, close) && lie_on(only_b, only_a, close);
+}
+
+}  // namespace
+
+bool same_solids(const TopoDS_Shape& a, const TopoDS_Shape& b) {
+    if (a.IsNull() || b.IsNull()) return a.IsNull() && b.IsNull();
+    try {
+        return are_same(a, b);
+    } catch (const Standard_Failure&) {
+        return false;
+    }
 }
 
 }  // namespace featuremesh

@@ -7,7 +7,8 @@ class TopoDS_Shape;
 namespace featuremesh {
 
 /// The same faces, or the same volume, centre of mass, inertia and box to about 1e-8 of the size, and the faces that
-/// only one of them has lie on those of the other. A face split in two makes no difference.
+/// only one of them has lie on those of the other. A face split in two makes no difference. False
+/// where the kernel cannot tell.
 bool same_solids(const TopoDS_Shape& a, const TopoDS_Shape& b);
 
 }  // namespace featuremesh

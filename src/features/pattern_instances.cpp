@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "features/pattern_instances.h"
 
+#include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 
@@ -82,10 +83,13 @@ std::optional<std::vector<FeatureVolume>> pattern_instances(const RawRecord& pat
                                                             const TopoDS_Shape& before, const TopoDS_Shape& after,
                                                             const DocumentView& document) {
     if (originals.empty() || before.IsNull() || after.IsNull()) return std::nullopt;
-    const PatternWitness witness(originals, before, after);
-    for (const Occurrences& occurrences : candidate_occurrences(pattern, document)) {
-        std::vector<FeatureVolume> volumes = instances(originals, occurrences);
-        if (witness.confirms(occurrences, volumes)) return volumes;
+    try {
+        const PatternWitness witness(originals, before, after);
+        for (const Occurrences& occurrences : candidate_occurrences(pattern, document)) {
+            std::vector<FeatureVolume> volumes = instances(originals, occurrences);
+            if (witness.confirms(occurrences, volumes)) return volumes;
+        }
+    } catch (const Standard_Failure&) {  // what it did is told by its shapes alone, then
     }
     return std::nullopt;
 }

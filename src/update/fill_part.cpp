@@ -207,7 +207,7 @@ void take_surface(const Brep& brep, const SizingField&, SurfaceResult surface, K
     attempt.filled = Filled{.mesh = std::move(mesh), .surface = std::move(surface.report)};
 }
 
-/// The only place where what stages throw becomes a value: each says what, where and what to try.
+/// What stages throw becomes a value: each says what, where and what to try.
 template <class Function>
 void note_refusal(Attempt& attempt, Function work) {
     try {

@@ -12,11 +12,13 @@
 #include "core/dimension.h"
 #include "core/geometry.h"
 #include "core/ids.h"
+#include "core/message.h"
 #include "difference/feature_difference.h"
 #include "mesh/mesh.h"
 #include "mesh/quality.h"
 #include "mesh/sharp_angles.h"
 #include "update/keep.h"
+#include "update/our_errors.h"
 
 namespace featuremesh {
 
@@ -328,7 +330,9 @@ class AngleMender {
 void mend_small_angles(const Brep& brep, MeshOptions options, std::span<const SizeSource> sources, Filled& filled,
                        MeshOrigin* origin, std::vector<Round>& rounds, RunContext& context) {
     if (brep.dimension() != Dimension::solids || !filled.why_straight.empty()) return;
-    AngleMender(brep, std::move(options), sources, filled, origin, rounds, context).run();
+    const Message why =
+        why_failed([&] { AngleMender(brep, std::move(options), sources, filled, origin, rounds, context).run(); });
+    if (!why.empty()) rounds.push_back({"small angles", {}, "they stay", why});
 }
 
 }  // namespace featuremesh

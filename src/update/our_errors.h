@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/errors.h"
+#include "core/message.h"
 #include "core/messages.h"
 
 namespace featuremesh {
@@ -31,6 +32,20 @@ auto with_our_errors(Function work) {
         throw MeshError(say<Code::out_of_memory>());
     } catch (const std::exception& failure) {
         throw MeshError(say<Code::part_not_filled>(first_line(failure.what())));
+    }
+}
+
+/// Why work failed for a reason that lies in the part; empty where it did not. All else is thrown.
+template <class Function>
+Message why_failed(Function work) {
+    try {
+        with_our_errors(work);
+        return {};
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const Error& failure) {
+        if (is_of_machine(failure)) throw;
+        return failure.message;
     }
 }
 

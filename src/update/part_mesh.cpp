@@ -246,10 +246,10 @@ class Stages {
 
     /// What the edit did. False where that cannot be told, so that nothing can be kept.
     bool compare_with(const PartState& before) {
-        Message why;
-        if (attempt(why,
-                    [&] { report_.difference = compare(before, *part_, resolution(*sizing_, options_), context_); }))
-            return true;
+        const Message why =
+            why_failed([&] { report_.difference = compare(before, *part_, resolution(*sizing_, options_), context_); });
+        if (why.empty()) return true;
+        context_.check_cancelled();
         report_.fallbacks.push_back(say<Code::full_mesh>(say<Code::changes_not_found>(why)));
         part_ = read_part_to_mesh(document_, context_, nullptr, options_.dimension);
         return false;
@@ -263,14 +263,14 @@ class Stages {
         why_nothing_ = say<Code::nothing_kept>();
         const double smallest_margin = margin_of(options_, *sizing_);
         for (const double margin : {smallest_margin, 2 * smallest_margin}) {
-            Message why;
-            const bool is_kept = attempt(why, [&] {
+            Message why = why_failed([&] {
                 kept_ =
                     keep({old.mesh, old.part.brep, part_->brep, report_.difference, old.sizing, *sizing_, old.made_for,
                           margin, compare_asked_sizes(old.options.sizing, options_.sizing), options_.ignored_below},
                          context_);
             });
-            if (is_kept) {
+            context_.check_cancelled();
+            if (why.empty()) {
                 const double share = share_to_fill(kept_, old.mesh, dimension());
                 if (share_tried > 0 && share_tried + share > 1) {
                     why_nothing_ = say<Code::keeping_less_not_worth>();
@@ -350,22 +350,6 @@ class Stages {
     }
 
   private:
-    /// Whether the kernel could do it; why not, else.
-    template <class Function>
-    bool attempt(Message& why, Function work) {
-        try {
-            with_our_errors([&] { work(); });
-            return true;
-        } catch (const Cancelled&) {
-            throw;
-        } catch (const Error& failure) {
-            context_.check_cancelled();
-            if (is_of_machine(failure)) throw;
-            why = failure.message;
-            return false;
-        }
-    }
-
     /// Without its smallest details, with all of them where it is refused so, and with thin tets as the last resort.
     std::variant<Filled, Message> fill_whole(NextNumbers next) {
         std::vector<double> lengths{length_to_ignore(part_->brep, options_)};
