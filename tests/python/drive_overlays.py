@@ -229,7 +229,14 @@ def check_large(document, mesh):
 
 
 def check_opened(document, mesh):
-    """A mesh of an opened document, and its copy, are there with all elements, and drawn."""
+    """A mesh of an opened document, and its copy, are there with all elements, and drawn, whether or not FreeCAD saved it."""
+    for is_saved in (False, True):
+        mesh.SavedForFreeCAD = is_saved
+        check_copy_of_document(document, mesh)
+    assert "Touched" not in mesh.State
+
+
+def check_copy_of_document(document, mesh):
     from freecad.featuremesh import api, given_mesh
     numbers, count = set(mesh.FemMesh.Volumes), drawn_triangles(mesh)
     with tempfile.TemporaryDirectory() as folder:
