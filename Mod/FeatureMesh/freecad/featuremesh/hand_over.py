@@ -197,7 +197,7 @@ def reopened(fem_mesh, arrays, groups_anew):
     if not fem_mesh.NodeCount and len(arrays["node_numbers"]):
         return build(arrays, groups_anew())
     elements = _element_numbers(arrays)
-    if not has_gaps(arrays) or fem_mesh.NodeCount != len(arrays["node_numbers"]):
+    if not has_gaps(arrays) or not has_as_many(fem_mesh, arrays):
         return None
     nodes, elements = np.sort(arrays["node_numbers"]), np.sort(elements)
     groups = []
@@ -209,6 +209,12 @@ def reopened(fem_mesh, arrays, groups_anew):
             return None
         groups.append((fem_mesh.getGroupName(group), kind, known[ranks]))
     return build(arrays, groups)
+
+
+def has_as_many(fem_mesh, arrays):
+    """Has a FemMesh as many nodes and elements as the arrays, whose it is then?"""
+    counts = fem_mesh.NodeCount, fem_mesh.FaceCount, fem_mesh.VolumeCount
+    return counts == tuple(len(arrays[name]) for name in ("node_numbers", "triangles", "tets"))
 
 
 def groups_of(arrays, owners_of_tets, mesh, part, raw=None, analysis_of=None):

@@ -152,7 +152,8 @@ class FeatureMesh(Stateless):
         job = MeshJob(raw, options_of(mesh, part, raw, refined), old, problem, moved + refined.notes)
         job.saved, job.shape, job.settings = saved, part.Shape, settings_of(mesh)
         if old is None:
-            job.next_numbers = state_property.next_numbers(mesh, state_is_sound=problem is None and saved is None)
+            job.next_numbers = state_property.next_numbers(mesh, state_is_sound=problem is None and (
+                saved is None or hand_over.has_as_many(mesh.FemMesh, saved.arrays)))
         job.seconds = {"document": time.perf_counter() - start, "restore": 0.0}
         return job
 

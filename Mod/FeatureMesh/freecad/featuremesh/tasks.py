@@ -10,8 +10,7 @@ import traceback
 from . import about, api, documents, engine, reading, tables, versions, whole_file
 from .errors import UserError
 from .transfer import find_result
-from .mesh_properties import element_count
-from .mesh_properties import FROM_SHAPE
+from .mesh_properties import FROM_SHAPE, element_count
 from .messages import english, in_english, of_error, said
 from .reports import add_fallback, plain
 from .quality import MEASURES
