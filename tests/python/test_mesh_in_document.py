@@ -6,13 +6,16 @@ import os
 import shutil
 import sys
 import tempfile
+import time
 import unittest
+import zipfile
+from types import SimpleNamespace
 from unittest import mock
 
 import FreeCAD
 import numpy as np
 import ObjectsFem
-from freecad.featuremesh import api, engine, engine_places, mesh_object, mesh_properties, orphans, size_zone, state, versions
+from freecad.featuremesh import api, engine, engine_places, mesh_object, mesh_properties, orphans, size_zone, state, state_property, versions
 from freecad.featuremesh.assembled import AssembledParts
 from freecad.featuremesh.errors import EngineMissing, UserError
 from freecad.featuremesh.formats import is_single_entity
@@ -63,6 +66,27 @@ class WithoutEngine(MeshedPlate):
         with mock.patch.object(engine, "_place", None), mock.patch.object(engine_places, "usable", list), \
                 self.assertRaisesRegex(EngineMissing, "not installed.*shown as it was saved.*Addon Manager.*pip install.*portable zip"):
             engine.load()
+
+
+class LargeState(MeshedPlate):
+
+    def is_compressed(self):
+        with zipfile.ZipFile(self.mesh.SavedState) as members:
+            return all(member.compress_type == zipfile.ZIP_DEFLATED for member in members.infolist())
+
+    def test_is_compressed_in_the_window_while_nobody_waits(self):
+        with mock.patch.object(state_property, "FreeCAD", SimpleNamespace(GuiUp=True)), mock.patch.multiple(state_property, _LARGE=0, _WHEN_NOBODY_WAITS=0.0):
+            self.edit()
+            until = time.monotonic() + 30
+            while not self.is_compressed() and time.monotonic() < until:
+                time.sleep(0.01)
+        self.assertTrue(self.is_compressed())
+        self.edit(24)
+        self.assertGreater(self.mesh.KeptNodes, 30)
+        self.assertFalse(self.is_compressed())
+        self.save_and_reopen()
+        self.edit(22)
+        self.assertEqual((self.mesh.Status, json.loads(self.mesh.Report)["fallback"]), (mesh_object.UP_TO_DATE, None))
 
 
 class WithoutTheAddon(MeshedPlate):

@@ -5,6 +5,7 @@ import random
 import shutil
 import tempfile
 import unittest
+import zipfile
 from unittest import mock
 
 import numpy as np
@@ -53,6 +54,31 @@ class StateFile(unittest.TestCase):
         other.arrays["points"] = other.arrays["points"] + 1e-12
         self.assertEqual(state.save(self.path, one), state.save(self.path, example()))
         self.assertNotEqual(state.save(self.path, one), state.save(self.path, other))
+
+    def test_in_less_space_it_is_the_same(self):
+        before = example()
+        before.arrays["tet_numbers"] = np.arange(100_000)
+        checksum = state.save(self.path, before)
+        size = os.path.getsize(self.path)
+        state.compress(self.path)
+        self.assertLess(os.path.getsize(self.path), size // 2)
+        self.assertEqual(state.checksum_of(self.path), checksum)
+        after = state.load(self.path)
+        self.assertEqual(after.raw, before.raw)
+        for name, values in before.arrays.items():
+            self.assertEqual(after.arrays[name].tobytes(), values.tobytes())
+        self.assertEqual(os.listdir(self.folder), [os.path.basename(self.path)])
+
+    def test_what_cannot_be_compressed_stays(self):
+        checksum = state.save(self.path, example())
+        with mock.patch.object(os, "replace", side_effect=PermissionError("in use")):
+            state.compress(self.path)
+        self.assertEqual((os.listdir(self.folder), state.checksum_of(self.path)), ([os.path.basename(self.path)], checksum))
+        os.unlink(self.path)
+        state.compress(self.path)
+        with mock.patch.object(zipfile, "ZipFile", side_effect=zipfile.BadZipFile("cut short")):
+            state.compress(self.path)
+        self.assertEqual(os.listdir(self.folder), [])
 
     def test_missing(self):
         for path in ("", None, os.path.join(self.folder, "none.npz")):

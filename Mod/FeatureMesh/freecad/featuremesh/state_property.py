@@ -4,10 +4,15 @@
 import os
 import shutil
 import tempfile
+import threading
+
+import FreeCAD
 
 from . import state
 
 _NAMED_BY = 16   # digits of its checksum that name a state's file
+_LARGE = 10_000_000   # bytes, of 250 000 tets; FreeCAD copies them one by one into a document and compresses them, while the window waits
+_WHEN_NOBODY_WAITS = 5.0   # seconds after it was stored a large one is compressed
 
 
 def put(mesh, saved):
@@ -17,6 +22,10 @@ def put(mesh, saved):
         checksum = state.save(path, saved)
         mesh.SavedState = path, _file_name(mesh, checksum)
     mesh.StateName = checksum
+    if FreeCAD.GuiUp and os.path.getsize(mesh.SavedState) > _LARGE:
+        later = threading.Timer(_WHEN_NOBODY_WAITS, state.compress, args=(mesh.SavedState,))
+        later.daemon = True
+        later.start()
     return checksum
 
 
