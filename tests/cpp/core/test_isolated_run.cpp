@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <chrono>
 #include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
 #include <new>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -40,6 +47,26 @@ TEST_CASE("isolated work that crashes or throws gives nothing, and changes nothi
     CHECK_FALSE(run_isolated(crash, enough, context).has_value());
     CHECK_FALSE(run_isolated(fail, enough, context).has_value());
     CHECK(here == 1);
+}
+
+TEST_CASE("isolated work leaves no files and is not heard") {
+    const auto heard = std::filesystem::temp_directory_path() / ("heard_" + std::to_string(getpid()));
+    const auto left = heard.string() + "_left";
+    const int to_file = open(heard.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), terminal = dup(STDERR_FILENO);
+    dup2(to_file, STDERR_FILENO);
+    const auto got = run_isolated(
+        [&](const RunContext&) {
+            std::cerr << "in trouble" << std::endl;
+            std::ofstream(left) << "what is known";
+            return Bytes(3);
+        },
+        enough, RunContext());
+    dup2(terminal, STDERR_FILENO);
+    close(terminal), close(to_file);
+    CHECK(got == Bytes(3));
+    CHECK(std::filesystem::file_size(heard) == 0);
+    CHECK_FALSE(std::filesystem::exists(left));
+    std::filesystem::remove(heard);
 }
 
 TEST_CASE("isolated work that somebody ends, or that has too little memory, is an error and not nothing") {
