@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`featuremesh COMMAND ...`: sets up what is missing, then runs. Exit code 0 for success, 2 for the user's error, 1 for ours, 3 where
-something cannot be had on this machine."""
+something cannot be had on this machine, 130 when it was cancelled."""
 import os
 import signal
 import sys
 
+CANCELLED = 128 + signal.SIGINT   # as shells have it
+
 
 def cancel_at_once(_signal, _frame):
     os.write(2, b"\nfeaturemesh: cancelled\n")
-    os._exit(1)
+    os._exit(CANCELLED)
 
 
 signal.signal(signal.SIGINT, cancel_at_once)   # until there is something to end
+signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})   # blocked while Python started
 
 from arguments import parse  # noqa: E402
 from closed_pipe import run_until_unread  # noqa: E402
@@ -25,8 +28,8 @@ def interrupt(_signal, _frame):
 def main():
     signal.signal(signal.SIGTERM, interrupt)  # whoever ends the launcher ends what it started
     given = parse(sys.argv[1:])
-    signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         return given.run(given)
     except UserError as error:
         print(f"featuremesh {given.command}: {error}", file=sys.stderr)
@@ -39,7 +42,7 @@ def main():
         return 3
     except KeyboardInterrupt:
         print(f"\nfeaturemesh {given.command}: cancelled", file=sys.stderr)
-        return 1
+        return CANCELLED
 
 
 sys.exit(run_until_unread(main))

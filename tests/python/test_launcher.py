@@ -142,6 +142,12 @@ class CommandLine(unittest.TestCase):
                 os.close(writer)
                 self.assertEqual((done.returncode, done.stderr), (1, ""))
 
+    def test_ctrl_c_while_python_starts_is_answered_by_the_launcher(self):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "sitecustomize.py").write_text("import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n", encoding="utf-8")
+            done = subprocess.run([str(LAUNCHER), "--help"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**os.environ, "PYTHONPATH": folder})
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (130, "", "\nfeaturemesh: cancelled\n"))
+
     def test_warnings_follow_the_message_on_standard_error(self):
         out, err = io.StringIO(), io.StringIO()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
