@@ -65,6 +65,10 @@ def set_up_to_run(given, live=False):
             refuse_without_slurm()
     set_up(packages.STUDY_PACKAGES + (packages.SOLVER_PACKAGES if live else ()) + (packages.CLUSTER_PACKAGES if given.scheduler or given.slurm is not None else ())
            + (packages.OPTUNA_PACKAGES if getattr(given, "method", None) == "optuna" else ()))
+    if given.scheduler:
+        with errors_of_studies():
+            from freecad.featuremesh.study.dask_runner import connect
+            connect(given.scheduler).close()
 
 
 def run(given):

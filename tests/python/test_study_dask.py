@@ -143,8 +143,10 @@ class Dask(StudyTest):
         self.response_file("return 1.0")
         self.scheduler.kill()
         self.scheduler.wait()
+        self.environment["FREECADCMD"] = "/no/freecad"   # it is said before the base is made
         _, err = self.study("run", "study.toml", "--scheduler", self.address, code=2)
         self.assertIn("no Dask scheduler answers at " + self.address, err)
+        self.assertFalse((self.folder / "study-study").exists())
 
 
 if __name__ == "__main__":

@@ -29,13 +29,25 @@ class Cluster:
     freecad: str
 
 
+def connect(address):
+    """Dask's client of the scheduler at that address. Throws UserError where none answers."""
+    try:
+        from distributed import Client
+    except ImportError as error:
+        raise UserError(said("--scheduler needs Dask: install Debian's package python3-distributed")) from error
+    try:
+        return Client(address, timeout=_PATIENCE, set_as_default=False)
+    except (OSError, TimeoutError, ValueError) as error:
+        raise UserError(said("no Dask scheduler answers at {address:text} ({why:messages})", address=address, why=of_error(error))) from error
+
+
 class DaskRunner:
     """To be used in a `with` statement, at whose end no task of the study is left. Options as for CaseBook."""
 
     def __init__(self, folder, cluster, show=None, keep_base=False):
         self._book, self._cluster = CaseBook(folder, show, keep_base), cluster
         self._running = {}   # future -> (case, start)
-        self._client = self._connect(cluster.scheduler)
+        self._client = connect(cluster.scheduler)
 
     def run(self, case_ids=None):
         """Runs all waiting cases, or those of `case_ids`. Throws Stopped, DiskFull."""
@@ -72,16 +84,6 @@ class DaskRunner:
             self._client.close()
         except (OSError, TimeoutError):
             pass   # the scheduler is gone, and its workers with it
-
-    def _connect(self, address):
-        try:
-            from distributed import Client
-        except ImportError as error:
-            raise UserError(said("--scheduler needs Dask: install Debian's package python3-distributed")) from error
-        try:
-            return Client(address, timeout=_PATIENCE, set_as_default=False)
-        except (OSError, TimeoutError, ValueError) as error:
-            raise UserError(said("no Dask scheduler answers at {address:text} ({why:messages})", address=address, why=of_error(error))) from error
 
     def _threads(self):
         return sum(worker["nthreads"] for worker in self._client.scheduler_info()["workers"].values())
