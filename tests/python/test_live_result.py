@@ -341,11 +341,12 @@ class Live(Case):
             self.check_is_fresh(analysis, live)
             box.Length = 14
             other.recompute()
-            self.assertEqual(live.Status, live_result.OUT_OF_DATE)
+            self.assertEqual((mesh.Status, live.Status), (mesh_properties.EDITED_ELSEWHERE, live_result.OUT_OF_DATE))
             self.document.recompute()
+            self.assertEqual((mesh.Status, mesh.FemMesh.BoundBox.XMax), (mesh_properties.UP_TO_DATE, 14))
             self.check_is_fresh(analysis, live)
             other.recompute()   # nothing changed
-            self.assertEqual(live.Status, live_result.UP_TO_DATE)
+            self.assertEqual((mesh.Status, live.Status), (mesh_properties.UP_TO_DATE, live_result.UP_TO_DATE))
 
     def test_undo_is_out_of_date_until_it_is_solved(self):
         self.document.UndoMode = 1

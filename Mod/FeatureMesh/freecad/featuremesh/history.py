@@ -7,8 +7,9 @@ groups by which a solver finds the nodes of constraints are renewed when the ref
 
 import FreeCAD
 
-from . import analyses, recompute_errors, references, results, size_zone, versions
-from .mesh_properties import OUT_OF_DATE
+from . import analyses, assembled, recompute_errors, references, results, size_zone, versions
+from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, is_of_its_part
+from .reading import dependencies
 
 _WATCHED = ("References", *references.ALONG, "Group", "MeshGroupList", "MeshRegionList")
 _observer = None
@@ -50,6 +51,28 @@ def edited_of(document, objects):
     return [obj for obj in objects if "Touched" in obj.State and obj.Name not in _left_touched.get(obj.Document.Name, ())]
 
 
+def edited_behind(mesh):
+    """What the part of one of our meshes comes from and was edited since the last recompute."""
+    part = versions.part_of(mesh)
+    return edited_of(mesh.Document, _all_behind(dependencies(part))) if part is not None else []
+
+
+def _all_behind(objects):
+    """These, and whatever they refer to, such as a spreadsheet by an expression."""
+    found = dict.fromkeys(objects)
+    waiting = list(found)
+    while waiting:
+        new = [obj for obj in _directly_behind(waiting.pop()) if obj not in found]
+        found.update(dict.fromkeys(new))
+        waiting += new
+    return found
+
+
+def _directly_behind(obj):
+    """Of what a container holds the joints move its parts; what else is beside these does not change them."""
+    return [one for one in obj.OutList if assembled.is_container(one) or hasattr(one, "JointType")] if assembled.is_container(obj) else obj.OutList
+
+
 class _Observer:
 
     def slotUndoDocument(self, document):
@@ -82,6 +105,7 @@ class _Observer:
         _left_touched[document.Name] = {obj.Name for obj in document.Objects if "Touched" in obj.State} & _left_touched.get(document.Name, set())
         _recomputed.add(document.Name)
         _undone.discard(document.Name)
+        _outdate_in_others(document)
 
     def slotCreatedObject(self, obj):
         _deleted.get(obj.Document.Name, set()).discard(obj.Name)
@@ -137,6 +161,14 @@ def _fail_meshes(document, objects):
 
 def _missed_an_edit(document):
     return [mesh for mesh in document.Objects if _is_ours(mesh) and mesh.Proxy.missed_an_edit(mesh)]
+
+
+def _outdate_in_others(document):
+    """FreeCAD tells nobody that what is linked from another document has changed, and recomputes that later."""
+    for other in FreeCAD.listDocuments().values():
+        for mesh in filter(_is_ours, other.Objects if other is not document else ()):
+            if is_of_its_part(mesh) and edited_behind(mesh):
+                mesh.Status = EDITED_ELSEWHERE
 
 
 def _show_states(document):

@@ -342,14 +342,6 @@ class _Observer:
                 if is_mesh and live.Automatic and solve_later is not None and obj.Status == mesh_object.UP_TO_DATE:
                     solve_later(live)
 
-    def slotRecomputedDocument(self, document):
-        """FreeCAD tells nobody that what is linked from another document has changed, and recomputes that later."""
-        others = [other for other in FreeCAD.listDocuments().values() if other is not document]
-        for live in filter(is_live_result, [obj for other in others for obj in other.Objects]):
-            mesh = live.Proxy.mesh(live)
-            if mesh is not None and solve_guard.not_recomputed(mesh):
-                _outdate(live)
-
     def slotUndoDocument(self, document):
         self._keep_results(document)
         statics_result.remove_left_over(document)

@@ -13,6 +13,7 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 NOT_MESHED = QT_TRANSLATE_NOOP("FeatureMesh", "not meshed yet")
 UP_TO_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "up to date")
 OUT_OF_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the part or a setting changed, update by hand or switch Automatic on")
+EDITED_ELSEWHERE = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the part was edited in another document")
 SETTINGS_CHANGED = QT_TRANSLATE_NOOP("FeatureMesh", "settings changed, not meshed yet")
 CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the last update was cancelled")
 FAILED = "failed: "   # and why, in English

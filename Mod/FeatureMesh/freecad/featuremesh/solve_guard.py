@@ -8,11 +8,11 @@ as ever.
 
 import FreeCAD
 
-from . import analyses, assembled, history, references, resolving, results, versions
+from . import analyses, history, references, resolving, results, versions
 from .errors import UserError
 from .hand_over import EntityGroups
 from .messages import said
-from .reading import dependencies, describe
+from .reading import describe
 from .user_words import in_words
 from .wrapping import wrap
 
@@ -43,25 +43,8 @@ def _lost(analysis):
 def not_recomputed(mesh):
     """What its part comes from and was edited since the last recompute, as a sentence; "" when nothing was."""
     source = analyses.source_of(mesh)
-    part = versions.part_of(source) if source is not None else None
-    edited = history.edited_of(mesh.Document, _all_behind(dependencies(part))) if part is not None else []
+    edited = history.edited_behind(source) if source is not None else []
     return translate("FeatureMesh", "%s was edited and not recomputed; recompute the document before solving") % describe(edited[0]) if edited else ""
-
-
-def _all_behind(objects):
-    """These, and whatever they refer to, such as a spreadsheet by an expression."""
-    found = dict.fromkeys(objects)
-    waiting = list(found)
-    while waiting:
-        new = [obj for obj in _directly_behind(waiting.pop()) if obj not in found]
-        found.update(dict.fromkeys(new))
-        waiting += new
-    return found
-
-
-def _directly_behind(obj):
-    """Of what a container holds the joints move its parts; what else is beside these does not change them."""
-    return [one for one in obj.OutList if assembled.is_container(one) or hasattr(one, "JointType")] if assembled.is_container(obj) else obj.OutList
 
 
 def _clicked_elsewhere(analysis, mesh):

@@ -1093,6 +1093,10 @@
       <translation>unverstanden</translation>
     </message>
     <message>
+      <source>out of date: the part was edited in another document</source>
+      <translation>veraltet: das Bauteil wurde in einem anderen Dokument bearbeitet</translation>
+    </message>
+    <message>
       <source>own</source>
       <translation>eigene Form</translation>
     </message>
