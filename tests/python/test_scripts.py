@@ -114,6 +114,17 @@ class Solve(unittest.TestCase):
                 with self.assertRaisesRegex(UserError, "CalculiX .ccx. is not installed"):
                     api.solve(self.analysis)
 
+    def test_a_chosen_program_that_is_not_calculix_is_named(self):
+        settings, program = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Fem/Ccx"), shutil.which("true")
+        settings.SetBool("UseStandardCcxLocation", False)
+        self.addCleanup(settings.SetBool, "UseStandardCcxLocation", True)
+        self.addCleanup(settings.SetString, "ccxBinaryPath", "")
+        for path, what in (("/no/ccx", "cannot be run"), ("/usr", "cannot be run"), (program, "is not CalculiX")):
+            settings.SetString("ccxBinaryPath", path)
+            for solve in (api.solve, lambda analysis: api.solve_analysis(analysis, "ccx")):
+                with self.subTest(path=path), self.assertRaisesRegex(UserError, "^CalculiX's program is set to %s, which %s; .*preferences, FEM > CalculiX$" % (path, what)):
+                    solve(self.analysis)
+
     def test_a_mesh_out_of_date_is_not_solved(self):
         self.mesh.Automatic = False
         self.document.HoleSketch.setDatum("X", 24)

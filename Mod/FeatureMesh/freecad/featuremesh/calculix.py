@@ -41,7 +41,7 @@ def solve(analysis):
         write_input(tools, folder, analysis)
         matrix_solver = amend(tools.inp_file_name, solver, known)
         written = time.perf_counter()
-        if tools.ccx_run():
+        if run(tools):
             raise UserError(said("CalculiX failed: {why:text}", why=" ".join(tools.ccx_stdout[-_SHOWN:].split())))
         solved = time.perf_counter()
         base = tools.inp_file_name[:-len("inp")]
@@ -168,10 +168,21 @@ def program():
     """The one that FreeCAD runs: the user's own setting, else the program on the path. Throws UserError."""
     settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/Fem/Ccx")
     is_chosen = not (versions.can_leave_chosen_calculix() and settings.GetBool("UseStandardCcxLocation", True))
-    found = is_chosen and settings.GetString("ccxBinaryPath", "") or shutil.which("ccx")
+    chosen = settings.GetString("ccxBinaryPath", "") if is_chosen else ""
+    found = shutil.which(chosen or "ccx")
+    if chosen and not found:
+        raise UserError(said("CalculiX's program is set to {path:text}, which cannot be run; choose another one in FreeCAD's preferences, FEM > CalculiX", path=chosen))
     if not found:
         raise UserError(said("CalculiX (ccx) is not installed; on Debian its package is calculix-ccx"))
     return found
+
+
+def run(tools):
+    """Has FreeCAD's tools run CalculiX on the input they wrote. Returns its exit code. Throws UserError where the program is another one."""
+    code = tools.ccx_run()
+    if not tools.ccx_binary_present:
+        raise UserError(said("CalculiX's program is set to {path:text}, which is not CalculiX; choose another one in FreeCAD's preferences, FEM > CalculiX", path=program()))
+    return code
 
 
 def _responses(analysis, result, is_by_row):

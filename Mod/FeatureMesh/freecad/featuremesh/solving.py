@@ -35,7 +35,7 @@ def solve(analysis):
     tools = calculix.ccxtools.FemToolsCcx(analysis, solver, test_mode=False)
     with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder, contextlib.redirect_stdout(sys.__stderr__):   # FreeCAD's tools print what they write
         calculix.write_input(tools, folder, analysis)
-        if tools.ccx_run():
+        if calculix.run(tools):
             complaints = [line.strip() for line in tools.ccx_stdout.splitlines() if "ERROR" in line.upper()] or [said("it says nothing of why")]
             raise UserError(said("CalculiX could not solve {analysis:text}: {why:messages}", analysis=reading.describe(analysis), why=complaints[0]))
         tools.load_results()

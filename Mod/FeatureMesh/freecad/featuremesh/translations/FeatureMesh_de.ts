@@ -443,6 +443,14 @@
       <translation>CalculiX wurde von außen beendet ({signal:text})</translation>
     </message>
     <message>
+      <source>CalculiX's program is set to {path:text}, which cannot be run; choose another one in FreeCAD's preferences, FEM &gt; CalculiX</source>
+      <translation>Als Programm von CalculiX ist {path:text} eingestellt, das nicht ausgeführt werden kann; in FreeCADs Einstellungen, FEM &gt; CalculiX, ein anderes wählen</translation>
+    </message>
+    <message>
+      <source>CalculiX's program is set to {path:text}, which is not CalculiX; choose another one in FreeCAD's preferences, FEM &gt; CalculiX</source>
+      <translation>Als Programm von CalculiX ist {path:text} eingestellt, das nicht CalculiX ist; in FreeCADs Einstellungen, FEM &gt; CalculiX, ein anderes wählen</translation>
+    </message>
+    <message>
       <source>Compromises between {one:messages} and {other:messages}</source>
       <translation>Kompromisse zwischen {one:messages} und {other:messages}</translation>
     </message>
