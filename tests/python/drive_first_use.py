@@ -171,6 +171,15 @@ def solve_by_hand(document):
     click_in_panel("Close")
 
 
+def look_at(label):
+    """FEM's own panel of an object of the example, which was made without a window."""
+    double_click(*item_of_tree(label))
+    wait_for(Gui.Control.activeDialog, 20)
+    window.picture(label)
+    click(window.button_in_panel("Cancel") or window.button_in_panel("Close"))
+    wait_for(lambda: not Gui.Control.activeDialog())
+
+
 def results_of(document):
     return [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemResultObject") and len(obj.DisplacementLengths)]
 
@@ -194,12 +203,15 @@ def drive():
     main.resizeDocks([combo], [430], QtCore.Qt.Horizontal)
     document = FreeCAD.ActiveDocument
     window.choose_tab(document.Label)
+    assert not Gui.activeDocument().Modified
     choose_workbench("FEM")
     Gui.activeDocument().activeView().viewIsometric()
     Gui.SendMsgToActiveView("ViewFit")
     film("1_start")
     double_click(*item_of_tree("Analysis"))
     wait_for(FemGui.getActiveAnalysis)
+    for label in ("Steel", "Solver"):
+        look_at(label)
     load = load_by_hand(document)
     mesh = mesh_by_hand(document)
     check_load(document, load, mesh)

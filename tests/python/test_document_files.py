@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Opening bad files and saving without ever leaving half a document."""
+import importlib.util
 import math
 import os
 import shutil
@@ -9,6 +10,7 @@ import zipfile
 from xml.etree import ElementTree
 
 import FreeCAD
+import ObjectsFem
 from freecad.featuremesh import documents
 from freecad.featuremesh.errors import UserError
 from parts import new_document, plate_with_hole
@@ -191,6 +193,29 @@ class Files(unittest.TestCase):
         seen = FreeCAD.Vector(*camera["position"]) + ahead * camera["focalDistance"][0]
         self.assertLess((seen - FreeCAD.Vector(30, 20, 5)).Length, 1e-3)   # the middle of the plate
         self.assertGreaterEqual(camera["height"][0], FreeCAD.Vector(60, 40, 10).Length - 1e-6)
+
+    def test_what_fem_would_have_made_in_a_window_opens_its_panel_there(self):
+        plain = b'<Document><ViewProviderData Count="1"><ViewProvider name="Body"><Properties Count="0"/></ViewProvider></ViewProviderData></Document>'
+        for view in (None, plain):
+            document = new_document()
+            source, target = (os.path.join(self.folder, name + ".FCStd") for name in ("source", "target"))
+            plate_with_hole(document)
+            document.saveAs(source)
+            if view:
+                with zipfile.ZipFile(source, "a") as archive:
+                    archive.writestr("GuiDocument.xml", view)
+            ObjectsFem.makeMaterialSolid(document, "Steel")
+            result = ObjectsFem.makeResultMechanical(document, "Result")
+            result.Mesh = ObjectsFem.makeMeshResult(document, "Mesh")
+            documents.save_document(document, target)
+            FreeCAD.closeDocument(document.Name)
+            with zipfile.ZipFile(target) as archive:
+                root = ElementTree.fromstring(archive.read("GuiDocument.xml"))
+            found = {provider.get("name"): provider.find(".//Python").attrib for provider in root.iter("ViewProvider") if provider.find(".//Python") is not None}
+            self.assertEqual(set(found), {"Steel", "Result", "Mesh"})
+            for attributes in found.values():
+                with open(importlib.util.find_spec(attributes["module"]).origin, encoding="utf-8") as stream:
+                    self.assertRegex(stream.read(), r"(?m)^class %s\b" % attributes["class"])
 
     def saved_view(self, view, add_mesh):
         """{object: is it shown} in a document saved from a plate with this view."""

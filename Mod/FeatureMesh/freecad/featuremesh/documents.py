@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Opens and saves documents so that a bad file gets a clear message and a good one is never left half written."""
 
+import importlib.util
 import os
 import re
 import shutil
@@ -23,6 +24,7 @@ _QUOTES = {"&quot;": '"', "&apos;": "'"}
 # By the name of each document that was opened.
 _opened = {}
 _FROM_THE_CORNER = 1, -1, 1
+_OTHER_VIEWS = {"MeshResult": "VPFemMeshResult", "ConstraintElectrostaticPotential": "VPConstraintElectroStaticPotential"}   # than "VP" and the object's class
 _TURNED_TO_IT = "0.742906 0.307722 0.594473 1.21713"   # axis and angle of FreeCAD's isometric view
 
 
@@ -194,7 +196,7 @@ def add_view(document, path):
                 if "GuiDocument.xml" in old.namelist():
                     _copy_view(old, new, document)
                     return
-        new.writestr("GuiDocument.xml", _plain_view(_shown(document), _camera(document)))
+        new.writestr("GuiDocument.xml", _plain_view(document))
 
 
 def _shown(document):
@@ -219,26 +221,40 @@ def _copy_view(old, new, document):
 
 
 def _with_new_meshes(view, document):
-    """The view, in which meshes that it does not know are shown and their parts hidden, as two things in one place flicker."""
+    """The view, in which meshes that it does not know are shown and their parts hidden, as two things in one place flicker; and with FEM's new objects."""
     known = set(re.findall(r'<ViewProvider name="([^"]+)"', view.decode("utf-8", "replace")))
-    fresh = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemMeshObject") and obj.Name not in known]
+    fresh = [obj for obj in document.Objects if (obj.isDerivedFrom("Fem::FemMeshObject") or _view_of_fem(obj)) and obj.Name not in known]
     if not fresh:
         return view
     root = ElementTree.fromstring(view)
     providers = root.find("ViewProviderData")
     for obj in fresh:
-        part = versions.part_of(obj)
+        is_mesh = obj.isDerivedFrom("Fem::FemMeshObject")
+        part = versions.part_of(obj) if is_mesh else None
         for value in root.findall("ViewProviderData/ViewProvider[@name='%s']/Properties/Property[@name='Visibility']/Bool"
                                   % (part.Name if part is not None else "")):
             value.set("value", "false")
-        providers.append(ElementTree.fromstring(_provider(obj.Name)))
+        providers.append(ElementTree.fromstring(_provider(obj, is_mesh)))
     providers.set("Count", str(len(providers)))
     return ElementTree.tostring(root, encoding="utf-8", xml_declaration=True)
 
 
-def _provider(name):
-    return ('<ViewProvider name="%s" expanded="0"><Properties Count="1"><Property name="Visibility" type="App::PropertyBool">'
-            '<Bool value="true"/></Property></Properties></ViewProvider>' % name)
+def _provider(obj, is_visible):
+    properties = ['<Property name="Visibility" type="App::PropertyBool"><Bool value="%s"/></Property>' % str(is_visible).lower()]
+    if _view_of_fem(obj):
+        properties.append('<Property name="Proxy" type="App::PropertyPythonObject"><Python value="bnVsbA==" encoded="yes" module="%s" class="%s"/></Property>'
+                          % _view_of_fem(obj))
+    return '<ViewProvider name="%s" expanded="0"><Properties Count="%d">%s</Properties></ViewProvider>' % (obj.Name, len(properties), "".join(properties))
+
+
+def _view_of_fem(obj):
+    """(module, class) of the view that FEM gives an object of its own that it makes in a window, and which opens its panel; None for other objects."""
+    kind = type(getattr(obj, "Proxy", None))
+    package, _, name = kind.__module__.partition(".")
+    module = "femviewprovider.view_" + name
+    if package != "femobjects" or importlib.util.find_spec(module) is None:
+        return None
+    return module, _OTHER_VIEWS.get(kind.__name__, "VP" + kind.__name__)
 
 
 def _camera(document):
@@ -254,7 +270,9 @@ def _camera(document):
             "  aspectRatio 1\n  focalDistance %.9g\n  height %.9g\n}\n" % (*place, _TURNED_TO_IT, 2 * distance, distance, distance))
 
 
-def _plain_view(visible, camera):
-    """A view in which only these objects are shown, as the camera's settings say."""
+def _plain_view(document):
+    """A view in which what a person wants to see first is shown, and nothing else."""
+    visible = _shown(document)
+    providers = [_provider(obj, obj.Name in visible) for obj in document.Objects if obj.Name in visible or _view_of_fem(obj)]
     return ('<?xml version="1.0" encoding="utf-8"?>\n<Document SchemaVersion="1"><ViewProviderData Count="%d">%s'
-            '</ViewProviderData><Camera settings=%s/></Document>\n' % (len(visible), "".join(map(_provider, visible)), quoteattr(camera)))
+            '</ViewProviderData><Camera settings=%s/></Document>\n' % (len(providers), "".join(providers), quoteattr(_camera(document))))
