@@ -210,8 +210,6 @@ def drive():
     film("1_start")
     double_click(*item_of_tree("Analysis"))
     wait_for(FemGui.getActiveAnalysis)
-    for label in ("Steel", "Solver"):
-        look_at(label)
     load = load_by_hand(document)
     mesh = mesh_by_hand(document)
     check_load(document, load, mesh)
@@ -219,6 +217,8 @@ def drive():
     check_load(document, load, mesh)
     look_at_kept(mesh)
     solve_by_hand(document)
+    for label in ("Steel", "Solver"):
+        look_at(label)
 
 
 window.run(drive)
