@@ -193,6 +193,23 @@ def check_load_double_clicked(document, mesh):
     show("FeatureMesh_ShowQuality", "QualityPanel")
 
 
+def check_theme(shown):
+    """Since FreeCAD 1.1 lists have a style sheet of their own, which it does not read again for another theme: dark on dark."""
+    from freecad.featuremesh import versions
+    settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/MainWindow")
+    names = "OverlayActiveStyleSheet", "Theme", "StyleSheet"
+    before = [settings.GetString(name) for name in names]
+    for theme, is_dark in (("FreeCAD Light", False), ("FreeCAD Dark", True)) if versions.version() >= (1, 1) else ():
+        for name, value in zip(names, ("Freecad Overlay.qss", theme, "FreeCAD.qss")):
+            settings.SetString(name, value)
+        wait_for(lambda is_dark=is_dark: (shown.summary.palette().windowText().color().lightness() > 128) == is_dark, 10)
+        wait_for(lambda: shown.worst.palette().text().color() == shown.summary.palette().windowText().color(), 10)
+        picture("overlay_%s" % theme.replace(" ", "_"))
+    for name, value in zip(names, before):
+        settings.SetString(name, value)
+    spin(1)
+
+
 def drawn_triangles(mesh):
     search = coin.SoSearchAction()
     search.setType(coin.SoIndexedFaceSet.getClassTypeId())
@@ -306,6 +323,7 @@ def drive():
     shown = check_quality(document, mesh)
     check_cut(shown, mesh)
     check_load_double_clicked(document, mesh)
+    check_theme(panel("QualityPanel"))
     check_ends(document, mesh)
     if os.environ.get("FEATUREMESH_MANY"):
         check_many(os.environ["FEATUREMESH_MANY"])

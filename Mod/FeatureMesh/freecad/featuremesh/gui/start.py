@@ -8,7 +8,7 @@ from .. import assembled, assembled_view, live_result, live_view, mesh_object, o
 from ..commands import COMMANDS, IN_FEM, OF_A_MESH
 from ..commands.freecad import register
 from ..study import study_object, window_run
-from . import clicks, fem_toolbar, live_runner, open_panels, preferences_page, recording, running, showing, study_runs
+from . import clicks, fem_toolbar, live_runner, open_panels, preferences_page, recording, running, showing, study_runs, theme
 
 
 class FeatureMeshWorkbench(Gui.Workbench):
@@ -58,3 +58,4 @@ def start():
     clicks.install()
     showing.install()
     recording.install()
+    theme.install()
