@@ -125,7 +125,32 @@ def check_opened_result(path):
     spin(1)
     picture("opened_result")
     assert [document.getObject(name).Visibility for name in names] == [True, False]
+    check_purged(document, document.getObject(names[0]))
     FreeCAD.closeDocument(document.Name)
+
+
+def check_purged(document, live):
+    """FEM removes results before it looks for a mesh, and in no step of undo; an edit before that, which changed what is seen of them, can be undone."""
+    from femresult import resulttools
+    from freecad.featuremesh import api
+    window.delete(*api.meshes_of(document))
+    wait_for(lambda: live.Status.startswith("failed"))
+    document.UndoMode = 1
+    document.clearUndos()
+    document.openTransaction("Edit")
+    document.HoleSketch.setDatum("Hole6X", FreeCAD.Units.Quantity("104 mm"))
+    document.recompute()
+    document.commitTransaction()
+    spin(1)
+    resulttools.purge_results(document.Analysis)
+    spin()
+    steps = len(document.UndoNames)
+    for command in ("Std_Undo", "Std_Redo", "Std_Undo"):
+        for _ in range(steps):
+            Gui.runCommand(command)
+            spin()
+    assert document.HoleSketch.getDatum("Hole6X").Value != 104
+    assert "not part of a document" not in window.report_view()
 
 
 def drive():

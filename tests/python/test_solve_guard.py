@@ -330,6 +330,14 @@ class SolveGuard(unittest.TestCase):
         self.document.undo()
         self.assertEqual([results.is_old(one) for one in (result, newer)], [False, True])
 
+    def test_a_copied_result_is_marked_once(self):
+        result = self.add_result()
+        label = result.Label
+        self.edit(50)
+        result.Label += "001"   # as FreeCAD names a copy
+        self.edit(60)
+        self.assertEqual(result.Label, label + "001 (before the last edit)")
+
     def test_results_are_not_marked_where_nodes_and_elements_stay(self):
         result = self.add_result()
         self.document.openTransaction("Group")

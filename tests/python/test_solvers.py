@@ -79,6 +79,14 @@ class SeveralSolvers(Case):
         self.assertEqual(statics.solve(self.of_the_box)[1]["responses"], alone)
         self.assertEqual(self.both(), (self.first, self.first))
 
+    @unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
+    def test_a_part_within_it_is_none_of_its_loads(self):
+        """FreeCAD pastes the part of a copied analysis into the one that is selected."""
+        alone = statics.solve(self.of_the_box)[1]["responses"]
+        for kind in ("Part::Box", "PartDesign::Body", "App::Part", "App::Link"):
+            self.of_the_box.addObject(self.document.addObject(kind, "Copied"))
+        self.assertEqual(statics.solve(self.of_the_box)[1]["responses"], alone)
+
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_calculix_says_which_it_took(self):
         other = self.add_one("frequency", first=True)

@@ -127,3 +127,5 @@ def _uncolour(result):
         view.resetNodeColor()
         view.ShapeColor = view.ShapeColor   # FreeCAD 1.0 keeps the colours of nodes until the mesh gets its own
         view.resetNodeDisplacement()
+        # This object, too, belongs to the step of undo then, which FreeCAD looks for when it is deleted; of a view alone it does not, and undo would crash.
+        result.Mesh.Visibility = result.Mesh.Visibility

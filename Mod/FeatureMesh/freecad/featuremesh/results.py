@@ -110,7 +110,7 @@ def _mark(result, state):
         return
     label = result.Label
     for suffix in _suffixes():
-        label = label[:-len(suffix)] if label.endswith(suffix) else label
+        label = label.replace(suffix, "")   # of a copy that FreeCAD has numbered it is not the end
     solved_on = getattr(result, SOLVED_ON)
     if solved_on != (state if _BESIDE in solved_on else state.split(_BESIDE)[0]):
         label += translate("FeatureMesh", _SUFFIX)

@@ -313,9 +313,9 @@ def gravity(member):
 
 
 def _is_without_effect(member):
-    """Results, live or not, texts and solvers."""
-    is_solver = member.isDerivedFrom("Fem::FemSolverObject") or member.isDerivedFrom("Fem::FemSolverObjectPython")
-    return is_solver or is_result(member) or member.isDerivedFrom("App::TextDocument")
+    """Results, live or not, and what else no solver is given: texts, solvers, and parts, which FreeCAD pastes beside the analysis of theirs that is copied."""
+    kinds = "Fem::FemSolverObject", "Fem::FemSolverObjectPython", "App::TextDocument", "App::Part", "App::Link", "Part::Feature"
+    return is_result(member) or any(member.isDerivedFrom(kind) for kind in kinds)
 
 
 def is_result(member):
