@@ -57,7 +57,7 @@ class ViewLiveResult(DrawnByUs):
             live.ViewObject.signalChangeIcon()
             if not self._is_drawn(live):
                 self.draw(live)
-            if live.Status != live_result.UP_TO_DATE:
+            if live.Status != live_result.UP_TO_DATE and not live.Document.Transacting:   # an undo may be taking the result away
                 _uncolour(live.Result)
         for follow in list(followers):
             follow(live, name)
