@@ -254,11 +254,14 @@ class NarrowFaceCover {
 
     /// Of the face as it is oriented in the shape; zero where it has none.
     Vec3 normal(FaceId face, EdgeId edge, double t) const {
+        const BRepAdaptor_Surface surface(brep_.face(face), false);
+        // the kernel would project the edge's curve onto the plane each time
+        if (surface.GetType() == GeomAbs_Plane) return outward_normal(surface, brep_.face(face), 0, 0);
         double first, last;
         const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(brep_.edge(edge), brep_.face(face), first, last);
         if (curve.IsNull()) return {};
         const gp_Pnt2d uv = curve->Value(t);
-        return outward_normal(BRepAdaptor_Surface(brep_.face(face), false), brep_.face(face), uv.X(), uv.Y());
+        return outward_normal(surface, brep_.face(face), uv.X(), uv.Y());
     }
 
     const Brep& brep_;
