@@ -67,7 +67,7 @@ class Unfolding {
 
     /// One pass over the nodes of the bad tets; whether anything moved. The smallest bound around a node tells best
     /// which way, but stops where one tet gains what another loses; the sum of what all lack goes on from there.
-    bool pass(const std::vector<TetId>& bad, Aim aim) {
+    bool pass(std::span<const TetId> bad, Aim aim) {
         aim_ = aim;
         const std::vector<NodeId> nodes = movable_nodes(bad);
         bool moved = false;
@@ -77,7 +77,7 @@ class Unfolding {
 
   private:
     /// Inner mid-side nodes first, then those on faces, then inner corners, then mid-side nodes on CAD edges.
-    std::vector<NodeId> movable_nodes(const std::vector<TetId>& bad) const {
+    std::vector<NodeId> movable_nodes(std::span<const TetId> bad) const {
         std::vector<NodeId> inner, on_faces, corners, on_edges;
         const std::array<std::vector<NodeId>*, 4> mids{nullptr, &on_edges, &on_faces, &inner};
         for (TetId t : bad) {
@@ -325,7 +325,8 @@ std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std
                                const CurvedTetAims& aims, RunContext& context) {
     constexpr int most_passes = 6;
     const double target = aims.scaled_jacobian;
-    constexpr std::size_t most_together = 500;  // more trouble is refined first
+    // with more trouble a few tets show first whether moves help
+    constexpr std::size_t most_together = 500, few = 100;
     LowTets bad(mesh, target, context);
     if (bad.found().empty()) return {};
     const TetsAtNode tets_at(mesh, context);
@@ -345,6 +346,11 @@ std::vector<TetId> unfold_tets(Mesh& mesh, const Projector& projector, const std
         for (int pass = 0; pass < most_passes && !bad.found().empty(); ++pass) {
             context.check_cancelled();
             const std::size_t before = bad.found().size();
+            if (before > most_together) {
+                unfolding.pass(std::span(bad.found()).first(few), aim);
+                bad.look_again(tets_at);
+                if (bad.found().size() >= before) break;
+            }
             if (!unfolding.pass(bad.found(), aim)) break;
             bad.look_again(tets_at);
             if (bad.found().size() > std::max(most_together, before)) break;

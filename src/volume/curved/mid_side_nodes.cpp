@@ -17,7 +17,6 @@
 #include "surface/projection.h"
 #include "volume/curved/bent_walls.h"
 #include "volume/curved/curved_tet_repair.h"
-#include "volume/curved/curved_tet_split.h"
 
 namespace featuremesh {
 namespace {
@@ -157,15 +156,13 @@ std::vector<Entity> place_of(const Mesh& mesh, TetId tet) {
     return as_parameter(std::max_element(corners_on.begin(), corners_on.end(), fewer)->first);
 }
 
-/// How many elements in front are kept: the numbers of all behind are as new as the kept mesh's next one. One between
-/// them that was turned or cut has such a number, too.
-KeptCounts kept_counts(const Mesh& mesh, const Mesh* kept) {
-    if (!kept) return {};
-    const auto count = [&](const std::vector<Number>& numbers) {
-        const auto is_kept = [&](Number number) { return number < kept->next_element_number; };
-        return std::size_t(numbers.rend() - std::find_if(numbers.rbegin(), numbers.rend(), is_kept));
-    };
-    return {count(mesh.segment_numbers), count(mesh.triangle_numbers), count(mesh.tet_numbers)};
+/// How many tets in front are kept: the numbers of all behind are as new as the kept mesh's next one. One between them
+/// that was turned or cut has such a number, too.
+std::size_t kept_tet_count(const Mesh& mesh, const Mesh* kept) {
+    if (!kept) return 0;
+    const auto is_kept = [&](Number number) { return number < kept->next_element_number; };
+    return std::size_t(mesh.tet_numbers.rend() -
+                       std::find_if(mesh.tet_numbers.rbegin(), mesh.tet_numbers.rend(), is_kept));
 }
 
 struct Curved {
@@ -253,9 +250,9 @@ std::vector<TetId> too_coarse(const Brep& brep, const Mesh& curved, std::size_t 
 }
 
 /// Kept elements stay as they are, whatever they miss.
-SecondOrder result_of(Curved curved, const KeptCounts& kept) {
+SecondOrder result_of(Curved curved, std::size_t kept_tets) {
     std::vector<TetId> low = curved.low;
-    std::erase_if(low, [&](TetId t) { return t.index() < kept.tets; });
+    std::erase_if(low, [&](TetId t) { return t.index() < kept_tets; });
     std::vector<SizeSource> shorter = shorter_lengths(curved.mesh, low);
     std::vector<Entity> place = place_of(curved.mesh, curved.low.front());
     return {std::move(curved.mesh), std::move(shorter), std::move(place), curved.smallest};
@@ -264,44 +261,24 @@ SecondOrder result_of(Curved curved, const KeptCounts& kept) {
 }  // namespace
 
 SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {
-    constexpr int most_refinements = 12;
     RunContext::Step step(context, "surface");
     const Projector projector(brep);
-    const KeptCounts counts = kept_counts(mesh, kept);
-    std::optional<Curved> best;
-    SecondOrder failed;
-    std::size_t fewest_folded = std::numeric_limits<std::size_t>::max();
-    for (int refinement = 0;; ++refinement) {
-        Curved curved = curve(brep, projector, mesh, kept, context);
-        if (refinement == 0)
-            if (const std::vector<TetId> bent = too_coarse(brep, curved.mesh, counts.tets, context); !bent.empty())
-                return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front()), 0};
-        if (curved.low.empty()) return {std::move(curved.mesh), {}, {}, 1};
-        if (refinement == 0 && !curved.folded.empty()) {
-            if (!kept) failed.straight = straighten(brep, curved.mesh, {curved.folded, {}}, context);
-            Mesh placed = curved.mesh;
-            placed.points = std::move(curved.placed);
-            if (BentWalls walls = find_bent_walls(brep, projector, placed, counts.tets, context);
-                !walls.lengths.empty())
-                return {{}, std::move(walls.lengths), place_of(placed, walls.place), 0, std::move(failed.straight)};
-        }
-        const std::vector<TetId> trouble = curved.folded.empty() ? curved.low : curved.folded;
-        const std::vector<Entity> place = place_of(curved.mesh, trouble.front());
-        if (refinement == 0 && !curved.folded.empty())
-            failed = {{}, shorter_lengths(curved.mesh, trouble), place, 0, std::move(failed.straight)};
-        const bool gains = curved.folded.size() < fewest_folded || (best && curved.smallest > best->smallest);
-        // refining that makes about as much trouble as it ends would go on for long
-        const bool halves = refinement == 0 || 2 * curved.folded.size() <= fewest_folded;
-        if (gains) fewest_folded = curved.folded.size();
-        const bool is_hopeless = refinement == most_refinements || !halves || (best && !gains);
-        const bool is_split =
-            !is_hopeless && split_folded_tets(mesh, curved.mesh, trouble, counts, brep.tolerances().least_volume()) > 0;
-        if (gains && curved.folded.empty()) best = std::move(curved);
-        if (!is_split && best) return result_of(std::move(*best), counts);
-        if (!is_split) return failed;
-        context.log(std::to_string(trouble.size()) + " elements are refined near " + name_of(place.front()) +
-                    " so that their curved sides do not fold them.");
+    const std::size_t kept_tets = kept_tet_count(mesh, kept);
+    Curved curved = curve(brep, projector, std::move(mesh), kept, context);
+    if (const std::vector<TetId> bent = too_coarse(brep, curved.mesh, kept_tets, context); !bent.empty())
+        return {{}, shorter_lengths(curved.mesh, bent), place_of(curved.mesh, bent.front()), 0};
+    if (curved.low.empty()) return {std::move(curved.mesh), {}, {}, 1};
+    if (curved.folded.empty()) return result_of(std::move(curved), kept_tets);
+    SecondOrder failed{
+        {}, shorter_lengths(curved.mesh, curved.folded), place_of(curved.mesh, curved.folded.front()), 0};
+    if (!kept) failed.straight = straighten(brep, curved.mesh, {curved.folded, {}}, context);
+    curved.mesh.points = std::move(curved.placed);
+    BentWalls walls = find_bent_walls(brep, projector, curved.mesh, kept_tets, context);
+    if (!walls.lengths.empty()) {
+        failed.shorter = std::move(walls.lengths);
+        failed.place = place_of(curved.mesh, walls.place);
     }
+    return failed;
 }
 
 Mesh curved_without_tets(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context) {

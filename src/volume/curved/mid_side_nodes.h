@@ -27,7 +27,7 @@ struct SecondOrder {
 
 /// Makes a 4-node mesh a 10-node one: sides on CAD edges and faces get their mid-side node on the entity, half way in
 /// the edge's arc length, others in the middle. Where an element's scaled Jacobian would be below 0.2, nodes move
-/// (those on entities along them), then the mesh is refined there. Elements of `kept` (a 10-node mesh, its elements in
+/// (those on entities along them). Elements of `kept` (a 10-node mesh, its elements in
 /// front in the same order) keep their nodes bit for bit.
 SecondOrder try_second_order(const Brep& brep, Mesh mesh, const Mesh* kept, RunContext& context);
 /// Makes 3-node triangles and their segments 6-node and 3-node ones; no node moves. Of `kept` as above.

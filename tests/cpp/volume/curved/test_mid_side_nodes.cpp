@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
-#include <random>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -21,7 +20,6 @@
 #include "surface/projection.h"
 #include "surface/surface_checks.h"
 #include "volume/curved/curved_tet_repair.h"
-#include "volume/curved/curved_tet_split.h"
 #include "volume/curved/low_tets.h"
 #include "volume/curved/mid_side_nodes.h"
 #include "volume/curved/straight_sides.h"
@@ -225,58 +223,6 @@ TEST_CASE("the same mesh gives the same bytes for any number of threads") {
                b = curve_to_second_order(brep, straight, nullptr, three);
     CHECK(a.points == b.points);
     CHECK(a.tets == b.tets);
-}
-
-TEST_CASE("a split keeps the mesh conforming and leaves kept elements alone") {
-    const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
-    Mesh mesh = fan_mesh(brep, 8, {0, 0, 6});
-    const Mesh curved = with_mid_side_nodes_on_faces(brep, mesh);
-    Mesh kept = mesh;
-    const KeptCounts all{mesh.segments.size(), mesh.triangles.size(), mesh.tets.size()};
-    CHECK(split_folded_tets(kept, curved, {TetId(0), TetId(5)}, all) == 0);
-    CHECK(kept.tets == mesh.tets);
-    CHECK(kept.points == mesh.points);
-    const std::size_t before = mesh.tets.size();
-    CHECK(split_folded_tets(mesh, curved, {TetId(0), TetId(5), TetId(11)}, {}) > 0);
-    CHECK(mesh.tets.size() > before);
-    CHECK(broken_invariants(mesh, expectation_of(brep)).empty());
-}
-
-TEST_CASE("a split leaves no tet without the least volume that had it before") {
-    const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
-    const Mesh straight = fan_mesh(brep, 8, {0, 0, 6});
-    const Mesh curved = with_mid_side_nodes_on_faces(brep, straight);
-    const auto volume = [](const Mesh& mesh, std::size_t t) {
-        const auto& [a, b, c, d] = mesh.tets[t];
-        return signed_volume(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d));
-    };
-    std::vector<TetId> all;
-    double least = std::numeric_limits<double>::max(), most = 0;
-    for (std::size_t t = 0; t < straight.tets.size(); ++t) {
-        all.push_back(TetId(t));
-        least = std::min(least, volume(straight, t)), most = std::max(most, volume(straight, t));
-    }
-    Mesh mesh = straight;
-    CHECK(split_folded_tets(mesh, curved, all, {}, 0.3 * least) > 0);
-    for (std::size_t t = 0; t < mesh.tets.size(); ++t) CHECK(volume(mesh, t) >= 0.3 * least);
-    mesh = straight;
-    CHECK(split_folded_tets(mesh, curved, all, {}, 0.6 * most) < all.size() / 4);
-    mesh = straight;
-    CHECK(split_folded_tets(mesh, curved, all, {}, 2 * most) > all.size() / 4);  // none had it
-}
-
-TEST_CASE("splits of tets that lie at each other keep the mesh conforming") {
-    const Brep brep(BRepPrimAPI_MakeCylinder(10, 12).Shape());
-    const Mesh straight = fan_mesh(brep, 8, {0, 0, 6});
-    const Mesh curved = with_mid_side_nodes_on_faces(brep, straight);
-    const unsigned seed = GENERATE(1u, 2u, 3u, 4u, 5u, 6u);
-    INFO("seed " << seed);
-    std::vector<TetId> all;
-    for (std::size_t t = 0; t < straight.tets.size(); ++t) all.push_back(TetId(t));
-    std::shuffle(all.begin(), all.end(), std::mt19937(seed));
-    Mesh mesh = straight;
-    CHECK(split_folded_tets(mesh, curved, all, {}) > all.size() / 4);
-    CHECK(several(broken_invariants(mesh, expectation_of(brep))).in_english() == "");
 }
 
 TEST_CASE("low tets are found again where nodes move, and where they move back") {
