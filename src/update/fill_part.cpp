@@ -290,6 +290,10 @@ class SizeLoop {
         for (const std::vector<Entity>& place : folded_places_)
             best_->surface.warnings.push_back(has_tets ? say<Code::finer_for_curved_tets>(place)
                                                        : say<Code::finer_for_curved_triangles>(place));
+        if (const KeptStraightSides& kept = kept_.straight; kept.sides > 0) {
+            best_->why_straight = say<Code::sides_stay_straight>(kept.sides, kept.places, Length{kept.distance});
+            best_->surface.warnings.push_back(best_->why_straight);
+        }
         if (!why_plain_.empty()) best_->surface.warnings.push_back(say<Code::narrow_faces_plain>(why_plain_));
     }
 

@@ -41,6 +41,7 @@ class Keeper {
           motions_(input.old_mesh.points.size(), 0),
           nodes_{input, motions_},
           entities_(nodes_),
+          ends_of_mids_(ends_of_mids(input.old_mesh)),
           is_resized_(motions_.size(), 0),
           asked_(motions_.size()),
           surfaces_(input) {}
@@ -68,6 +69,7 @@ class Keeper {
         Kept kept = assemble(nodes_, entities_, tets, surfaces_, shells ? &*shells : nullptr, context_);
         context_.check_cancelled();
         remember_sizes(kept);
+        if (has_straight_sides_) kept.straight = entities_.straight_sides_of(*kept.curved);
         collect_active(kept, tets);
         return kept;
     }
@@ -197,9 +199,9 @@ class Keeper {
             for (const std::size_t n : may_be_near)
                 if (motions_[n] != dropped && is_near_change(n)) drop(n, false);
         });
-        const std::vector<std::array<NodeId, 2>> ends = ends_of_mids(in_.old_mesh);
-        for (std::size_t mid = 0; mid < ends.size(); ++mid) {
-            const std::size_t n = in_.old_mesh.corner_count + mid, a = ends[mid][0].index(), b = ends[mid][1].index();
+        for (std::size_t mid = 0; mid < ends_of_mids_.size(); ++mid) {
+            const std::size_t n = in_.old_mesh.corner_count + mid;
+            const std::size_t a = ends_of_mids_[mid][0].index(), b = ends_of_mids_[mid][1].index();
             asked_[n] = asked_[a].wanted > 0 ? asked_[a] : asked_[b];
             asked_[n].is_carried = motions_[n] > 0;
             if (goes(a) || goes(b)) drop(n, is_resized_[a] || is_resized_[b]);
@@ -240,9 +242,23 @@ class Keeper {
     void place_on_entities() {
         for (std::size_t n = 0; n < node_count(); ++n) {
             if (n % 4096 == 0) context_.check_cancelled();
-            if (motions_[n] != dropped && !(entities_.place(n) && is_meshed(entities_.entities()[n])))
-                motions_[n] = dropped;
+            if (motions_[n] != dropped && !(place(n) && is_meshed(entities_.entities()[n]))) motions_[n] = dropped;
         }
+    }
+
+    bool place(std::size_t n) {
+        if (entities_.place(n)) return true;
+        if (!is_straight(n) || !entities_.place_straight(n)) return false;
+        return has_straight_sides_ = true;
+    }
+
+    /// A mid-side node between ends that stay.
+    bool is_straight(std::size_t n) const {
+        const Mesh& old = in_.old_mesh;
+        if (n < old.corner_count) return false;
+        const auto& [a, b] = ends_of_mids_[n - old.corner_count];
+        return motions_[a.index()] != dropped && motions_[b.index()] != dropped &&
+               old.points[n] == 0.5 * (old.point(a) + old.point(b));
     }
 
     // Faces and edges beside solids may not be meshed any more.
@@ -366,6 +382,8 @@ class Keeper {
     std::vector<std::int32_t> motions_;  // by old node: index of its carried region
     const CarriedNodes nodes_;
     KeptEntities entities_;
+    const std::vector<std::array<NodeId, 2>> ends_of_mids_;
+    bool has_straight_sides_ = false;
     std::vector<char> untouched_solids_;    // by old solid; empty where there is only one
     std::vector<char> untouched_entities_;  // by old face, then by old edge: the free ones
     std::vector<char> has_tet_;             // by old node; only where there are free faces or edges

@@ -6,11 +6,21 @@
 #include <limits>
 #include <optional>
 
+#include "core/sort_once.h"
 #include "difference/feature_difference.h"
 #include "surface/face_parameters.h"
 #include "update/entity_finder.h"
 
 namespace featuremesh {
+
+namespace {
+
+Vec3 point_on(const Projector& projector, Entity on, const std::array<double, 2>& parameters) {
+    return on.dim == 1 ? projector.on_edge(EdgeId(on.index), parameters[0])
+                       : projector.on_face(FaceId(on.index), parameters);
+}
+
+}  // namespace
 
 KeptEntities::KeptEntities(const CarriedNodes& nodes)
     : nodes_(nodes),
@@ -29,11 +39,39 @@ KeptEntities::KeptEntities(const CarriedNodes& nodes)
 bool KeptEntities::place(std::size_t n) {
     const Entity old_entity = in_.old_mesh.entities[n];
     if (old_entity.dim == 3) return true;  // its solid follows from its tets
+    return place_at(n, nodes_.at(n));
+}
+
+bool KeptEntities::place_at(std::size_t n, const Vec3& p) {
+    const Entity old_entity = in_.old_mesh.entities[n];
     Place place{nodes_.motions[n], old_entity, parameters_[n]};
-    if (!find_place(place, std::size_t(old_entity.index), nodes_.at(n))) return false;
+    if (!find_place(place, std::size_t(old_entity.index), p)) return false;
     entities_[n] = place.entity;
     parameters_[n] = place.parameter;
     return true;
+}
+
+bool KeptEntities::place_straight(std::size_t n) {
+    const Entity old_entity = in_.old_mesh.entities[n];
+    if (old_entity.dim != 1 && old_entity.dim != 2) return false;
+    if (!old_projector_) old_projector_.emplace(in_.old_brep);
+    const Vec3 was = point_on(*old_projector_, old_entity, in_.old_mesh.parameters[n]);
+    return place_at(n, nodes_.regions()[nodes_.motion_of(NodeId(n))].motion.apply(was));
+}
+
+KeptStraightSides KeptEntities::straight_sides_of(const Mesh& kept) const {
+    KeptStraightSides found;
+    for (std::size_t n = kept.corner_count; n < kept.points.size(); ++n) {
+        const Entity on = kept.entities[n];
+        if (on.dim != 1 && on.dim != 2) continue;
+        const double off = distance(point_on(projector_, on, kept.parameters[n]), kept.points[n]);
+        if (off <= tolerance()) continue;
+        ++found.sides;
+        found.distance = std::max(found.distance, off);
+        found.places.push_back(on);
+    }
+    sort_once(found.places);
+    return found;
 }
 
 bool KeptEntities::find_place(Place& place, std::size_t old_index, const Vec3& p) {

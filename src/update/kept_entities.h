@@ -10,6 +10,7 @@
 
 #include "core/geometry.h"
 #include "core/ids.h"
+#include "mesh/mesh.h"
 #include "surface/merged_entities.h"
 #include "surface/projection.h"
 #include "update/carried_nodes.h"
@@ -27,6 +28,10 @@ class KeptEntities {
     /// The verdict "unchanged" is not believed: a node of the old boundary is measured against the new shape. False
     /// when it does not lie on the entity that its own became.
     bool place(std::size_t node);
+    /// The same of the mid-side node of a straight side, which is off the shape: where it would be on it is measured.
+    bool place_straight(std::size_t node);
+    /// Of a mesh on the new shape.
+    KeptStraightSides straight_sides_of(const Mesh& kept) const;
     /// By old node, on the new shape where it has been placed; inner nodes have their old solid.
     std::span<const Entity> entities() const { return entities_; }
     std::span<const std::array<double, 2>> parameters() const { return parameters_; }
@@ -55,6 +60,7 @@ class KeptEntities {
         std::array<double, 2> parameter;
     };
 
+    bool place_at(std::size_t node, const Vec3& p);
     /// `old_index`: of the old vertex, edge or face, whose dimension `place` has.
     bool find_place(Place& place, std::size_t old_index, const Vec3& p);
     bool place_on_vertex(Place& place, VertexId vertex, const Vec3& p) const;
@@ -71,6 +77,7 @@ class KeptEntities {
     const CarriedNodes nodes_;
     const KeepInput& in_;
     Projector projector_;
+    std::optional<Projector> old_projector_;  // where there are straight sides
     std::shared_ptr<const MergedEntities> merged_;
     std::vector<Entity> entities_;  // by old node, likewise:
     std::vector<std::array<double, 2>> parameters_;
