@@ -42,15 +42,22 @@ void StarShape::visit_flaws(const Vec3& point, const Visit& visit) const {
 }
 
 double StarShape::worst(const Vec3& point, double limit) const {
+    const PlainTets plain = objective_.plain_tets();
     double result = 0;
-    std::size_t refused_by = 0;
-    visit_flaws(point, [&](std::size_t i, double flaw) {
-        if (flaw <= result) return false;
-        result = flaw;
-        if (flaw >= limit) refused_by = i;
-        return flaw >= limit;
-    });
-    if (refused_by > 0) swap_faces(refused_by, 0);
+    for (std::size_t four = 0; four < fours_.size(); ++four) {
+        const PlainRun run = plain_run(point, fours_, four, plain, limit);
+        result = std::max(result, run.most);
+        four = run.end;
+        const std::size_t begin = four * FourTriangles::count,
+                          end = std::min(begin + FourTriangles::count, faces_.size());
+        for (std::size_t i = begin; i < end; ++i) {
+            const double known = run.flatness[i - begin], flaw = known < 0 ? flaw_at(point, faces_[i]) : known;
+            result = std::max(result, flaw);
+            if (!(flaw >= limit)) continue;
+            if (i > 0) swap_faces(i, 0);
+            return result;
+        }
+    }
     return result;
 }
 

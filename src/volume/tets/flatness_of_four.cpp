@@ -46,7 +46,7 @@ FEATUREMESH_INLINE void add_side(const FourVecs& from, const FourVecs& to, SideR
 
 /// The sums of `flatness` and of `Objective::flaw`, in their order.
 FEATUREMESH_INLINE void find_flatness(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain,
-                                      std::array<double, 4>& found) {
+                                      Four& found) {
     FourVecs u, v, w, n1, n2, n3;
     find_way(triangles, 0, point, u), find_way(triangles, 1, point, v), find_way(triangles, 2, point, w);
     find_cross(v, w, n1), find_cross(w, u, n2), find_cross(u, v, n3);
@@ -73,14 +73,36 @@ FEATUREMESH_INLINE void find_flatness(const Vec3& point, const FourTriangles& tr
         (volume > 0) & (six_volumes >= 6 * plain.least_volume) &
         (six_volumes * six_volumes >= plain.least_share * plain.least_share * longest * longest * longest) &
         ((flatness < plain.flatness) | (sides.least > shortest));
-    flatness = is_plain ? flatness : -1.0;
-    std::memcpy(found.data(), &flatness, sizeof flatness);
+    found = is_plain ? flatness : -1.0;
+}
+
+FEATUREMESH_INLINE void store(const Four& four, std::array<double, 4>& found) {
+    std::memcpy(found.data(), &four, sizeof four);
+}
+
+FEATUREMESH_INLINE void find_run(const Vec3& point, std::span<const FourTriangles> fours, const PlainTets& plain,
+                                 double limit, PlainRun& run) {
+    Four most{}, flatness{};
+    for (; run.end < fours.size(); ++run.end) {
+        find_flatness(point, fours[run.end], plain, flatness);
+        const auto ends = (flatness < 0) | (flatness >= limit);
+        if ((ends[0] | ends[1] | ends[2] | ends[3]) != 0) break;
+        raise(most, flatness);
+    }
+    store(flatness, run.flatness);
+    run.most = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
 }
 
 #if defined(__x86_64__)
 [[gnu::target("avx2")]] void find_by_avx2(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain,
                                           std::array<double, 4>& found) {
-    find_flatness(point, triangles, plain, found);
+    Four four;
+    find_flatness(point, triangles, plain, four);
+    store(four, found);
+}
+[[gnu::target("avx2")]] void find_run_by_avx2(const Vec3& point, std::span<const FourTriangles> fours,
+                                              const PlainTets& plain, double limit, PlainRun& run) {
+    find_run(point, fours, plain, limit, run);
 }
 const bool has_avx2 = __builtin_cpu_supports("avx2");
 #endif
@@ -88,8 +110,10 @@ const bool has_avx2 = __builtin_cpu_supports("avx2");
 }  // namespace
 
 std::array<double, 4> flatness_by_parts(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain) {
+    Four four;
+    find_flatness(point, triangles, plain, four);
     std::array<double, 4> found;
-    find_flatness(point, triangles, plain, found);
+    store(four, found);
     return found;
 }
 
@@ -102,6 +126,19 @@ std::array<double, 4> flatness_of_four(const Vec3& point, const FourTriangles& t
     }
 #endif
     return flatness_by_parts(point, triangles, plain);
+}
+
+PlainRun plain_run(const Vec3& point, std::span<const FourTriangles> fours, std::size_t begin, const PlainTets& plain,
+                   double limit) {
+    PlainRun run{begin, 0, {}};
+#if defined(__x86_64__)
+    if (has_avx2) {
+        find_run_by_avx2(point, fours, plain, limit, run);
+        return run;
+    }
+#endif
+    find_run(point, fours, plain, limit, run);
+    return run;
 }
 
 }  // namespace featuremesh

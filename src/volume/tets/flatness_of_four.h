@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "core/geometry.h"
 #include "volume/tets/radius_ratios.h"
@@ -36,6 +37,14 @@ struct PlainTets {
 /// By triangle the `flatness` of the tet (point, triangle), -1 where that does not say all. The same bits on every
 /// machine.
 std::array<double, 4> flatness_of_four(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain);
+/// How far the tets of a point are plain and less flat than a limit.
+struct PlainRun {
+    std::size_t end;                 ///< the first four with one that is not; else how many there are
+    double most;                     ///< flatness of those before it, 0 for none
+    std::array<double, 4> flatness;  ///< of the four at the end, as `flatness_of_four` gives it
+};
+PlainRun plain_run(const Vec3& point, std::span<const FourTriangles> fours, std::size_t begin, const PlainTets& plain,
+                   double limit);
 /// The same without the processor's wider registers, for tests.
 std::array<double, 4> flatness_by_parts(const Vec3& point, const FourTriangles& triangles, const PlainTets& plain);
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "catch.h"
 #include "volume/improvement/objective.h"
@@ -66,4 +68,39 @@ TEST_CASE("four tets at a time have the flatness, to the bit, that each has by i
     }
     CHECK(plain_count > 400);
     CHECK(special > 400);
+}
+
+TEST_CASE("a run of fours ends at the first tet that is not plain, or as flat as the limit") {
+    const PlainTets plain = Objective({.least_volume = 1e-4}).plain_tets();
+    RandomTets random;
+    std::size_t whole = 0;
+    for (int round = 0; round < 400; ++round) {
+        const Vec3 point = random.point();
+        std::vector<FourTriangles> fours(3);
+        for (FourTriangles& four : fours)
+            for (std::size_t i = 0; i < 4; ++i) {
+                SeenTriangle triangle = random.triangle(point);
+                const auto& [a, b, c] = triangle.corners;
+                if (signed_volume(point, a, b, c) < 0) std::swap(triangle.corners[0], triangle.corners[1]);
+                four.set(i, triangle);
+            }
+        const double limit = round % 2 == 0 ? 0.9 : 2;
+        const auto ends = [&](double flatness) { return flatness < 0 || flatness >= limit; };
+        std::size_t end = 0;
+        double most = 0;
+        for (; end < fours.size(); ++end) {
+            const auto found = flatness_of_four(point, fours[end], plain);
+            if (std::any_of(found.begin(), found.end(), ends)) break;
+            most = std::max(most, *std::max_element(found.begin(), found.end()));
+        }
+        const PlainRun run = plain_run(point, fours, 0, plain, limit);
+        CHECK(run.end == end);
+        CHECK(run.most == most);
+        if (end == fours.size())
+            ++whole;
+        else
+            CHECK(run.flatness == flatness_of_four(point, fours[end], plain));
+    }
+    CHECK(whole > 0);
+    CHECK(whole < 400);
 }
