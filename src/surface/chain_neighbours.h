@@ -15,8 +15,12 @@ namespace featuremesh {
 /// The edges of a part by where their chains run.
 class ChainNeighbours {
   public:
-    /// `chains`: by edge, the points of its chain; none for an edge without.
-    ChainNeighbours(const Brep& brep, const Projector& projector, std::vector<std::vector<Vec3>> chains);
+    struct Place {
+        double t;
+        Vec3 point;
+    };
+    /// `chains`: by edge, the places of its chain's nodes; none for an edge without.
+    ChainNeighbours(const Brep& brep, const Projector& projector, std::vector<std::vector<Place>> chains);
 
     /// Whether another edge of the same solid, with no end in common with this one, passes by p nearer than `reach` mm,
     /// while the edges are not both straight.
@@ -30,10 +34,12 @@ class ChainNeighbours {
     };
     bool may_touch(EdgeId a, EdgeId b) const;
     bool is_near_chain(std::size_t edge, const Vec3& p, double reach) const;
+    /// Of the edge between two places, whose chord is halved so often before the kernel is asked for the nearest point.
+    bool is_near_piece(EdgeId edge, const std::array<Place, 2>& ends, const Vec3& p, double reach, int halvings) const;
 
     const Brep& brep_;
     const Projector& projector_;
-    std::vector<std::vector<Vec3>> chains_;
+    std::vector<std::vector<Place>> chains_;
     std::vector<Extent> extents_;                         ///< by edge
     std::vector<std::pair<double, std::size_t>> by_low_;  ///< lowest x of the box, edge
     double widest_ = 0;                                   ///< box along x, mm

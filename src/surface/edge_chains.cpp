@@ -207,11 +207,12 @@ bool ends_at_close(const TopoDS_Edge& edge) {
 /// Halves go up whatever the rounding errors, so that equal edges get equal chains.
 int rounded(double pieces) { return static_cast<int>(std::floor(pieces + 0.5 + 1e-6)); }
 
-std::vector<std::vector<Vec3>> points_of(const std::vector<EdgeChain>& chains, const Mesh& mesh) {
-    std::vector<std::vector<Vec3>> points(chains.size());
+std::vector<std::vector<ChainNeighbours::Place>> places_of(const std::vector<EdgeChain>& chains, const Mesh& mesh) {
+    std::vector<std::vector<ChainNeighbours::Place>> places(chains.size());
     for (std::size_t e = 0; e < chains.size(); ++e)
-        for (const NodeId n : chains[e].nodes) points[e].push_back(mesh.point(n));
-    return points;
+        for (std::size_t i = 0; i < chains[e].nodes.size(); ++i)
+            places[e].push_back({chains[e].t[i], mesh.point(chains[e].nodes[i])});
+    return places;
 }
 
 void check_order(const EdgeChain& chain, EdgeId edge) {
@@ -381,7 +382,7 @@ void EdgeChains::keep_off_contacts(const Brep& brep, const WantedLength& sizing,
             std::size_t end = begin;
             while (is_free(end)) ++end;
             if (end == begin) continue;
-            if (!neighbours) neighbours.emplace(brep, projector_, points_of(chains_, mesh));
+            if (!neighbours) neighbours.emplace(brep, projector_, places_of(chains_, mesh));
             begin = keep_off_contacts(brep, sizing, *neighbours, EdgeId(e), {begin, end}, mesh);
         }
     }
