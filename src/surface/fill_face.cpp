@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/errors.h"
 #include "core/message.h"
 #include "core/messages.h"
+#include "core/sorted_pair.h"
 #include "surface/chart.h"
+#include "surface/folded_triangles.h"
 #include "surface/opposite_places.h"
 #include "surface/patch_improvement.h"
 #include "surface/seeds.h"
@@ -117,10 +120,36 @@ class FaceFiller {
         if (!geometry_.is_flat()) make_delaunay(patch_);
         if (!is_lattice_ && !split_long_sides(patch_, geometry_, heart_)) fail(say<Code::face_runs_back>());
         smooth(patch_, geometry_, heart_);
+        if (!chart_.is_plane()) note_beside();
         if (split_folded(patch_, geometry_, heart_) > 0) smooth(patch_, geometry_, heart_);
         raise_smallest_angles(patch_, geometry_, wanted_angle, brep_.tolerances().least_length(), heart_);
         if (chart_.cone_sine() != 0) split_folded(patch_, geometry_, heart_);
         patch_.compact();
+    }
+
+    void note_beside() {
+        std::map<std::array<int, 2>, EdgeId> edge_between;
+        std::vector<std::vector<EdgeId>> edges_at(boundary_.points.size());
+        for (const BoundarySegment& s : boundary_.segments) {
+            if (!s.edge.is_valid() || s.is_pole) continue;
+            edge_between[sorted_pair(s.a, s.b)] = s.edge;
+            for (const int p : {s.a, s.b}) edges_at[at(p)].push_back(s.edge);
+        }
+        const auto note = [&](EdgeId edge, const std::vector<EdgeId>& across) {
+            if (std::find(across.begin(), across.end(), edge) != across.end()) return;
+            for (const EdgeId other : across) beside_.push_back({edge, other});
+        };
+        for (int t = 0; t < static_cast<int>(patch_.triangles.size()); ++t) {
+            const auto& c = patch_.corners(t);
+            if (patch_.is_removed(t) ||
+                std::any_of(c.begin(), c.end(), [&](int p) { return at(p) >= boundary_.points.size(); }) ||
+                !is_folded(patch_, geometry_, t))
+                continue;
+            for (int i = 0; i < 3; ++i)
+                if (const auto side = edge_between.find(sorted_pair(c[at((i + 1) % 3)], c[at((i + 2) % 3)]));
+                    side != edge_between.end())
+                    note(side->second, edges_at[at(c[at(i)])]);
+        }
     }
 
     /// All triangles the right way round, with the region's area in sum: then they cover it exactly once.
@@ -141,6 +170,7 @@ class FaceFiller {
 
     FaceFilling result() const {
         FaceFilling filling;
+        filling.beside = beside_;
         const std::size_t boundary_count = boundary_.points.size();
         std::vector<int> new_index(patch_.points.size(), -1);
         for (std::size_t p = 0; p < boundary_count; ++p) new_index[p] = static_cast<int>(p);
@@ -183,6 +213,7 @@ class FaceFiller {
     TrianglePatch patch_;
     std::vector<double> wanted_;  ///< side length by point of the boundary
     bool is_lattice_ = false;
+    std::vector<std::array<EdgeId, 2>> beside_;  ///< see FaceFilling
 };
 
 }  // namespace

@@ -23,6 +23,10 @@ struct FaceFilling {
     std::vector<std::array<double, 2>> parameters;
     std::vector<std::array<int, 3>> triangles;  ///< right-hand normal as the face is oriented in the shape
     double smallest_angle = 0;                  ///< radians
+    /// Pairs of edges so near one another that a triangle between a piece of the one and a node of the other stands
+    /// across the surface: the arc is higher than the strip is wide. It was split; with nodes opposite one another it
+    /// need not be.
+    std::vector<std::array<EdgeId, 2>> beside;
 };
 
 /// Fills the region with nearly equilateral triangles of the wanted size and checks that they cover it exactly once.

@@ -72,6 +72,14 @@ class SurfaceFiller {
     }
     const std::vector<PieceBeside>& new_beside() const { return new_beside_; }
 
+    /// Edges of narrow strips of curved faces, see FaceFilling::beside.
+    std::vector<std::array<EdgeId, 2>> edges_of_narrow_strips() const {
+        std::vector<std::array<EdgeId, 2>> edges;
+        for (const FaceJob& job : jobs_)
+            edges.insert(edges.end(), job.filling.beside.begin(), job.filling.beside.end());
+        return edges;
+    }
+
     /// What was kept, and more behind it.
     Mesh take_mesh() { return std::move(mesh_); }
 
@@ -490,6 +498,8 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
             if (known_beside) {
                 std::vector<std::array<EdgeId, 2>> edges = edges_of_flat_strips(result.mesh, before.triangles);
                 edges.insert(edges.end(), opposite->edges.begin(), opposite->edges.end());
+                const std::vector<std::array<EdgeId, 2>> narrow = filler->edges_of_narrow_strips();
+                edges.insert(edges.end(), narrow.begin(), narrow.end());
                 if (add_beside(merged, edges, beside)) opposite.reset();
             }
             if (!opposite || has_places(*opposite)) {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double nearness = 0.005;  // of the longest side of a triangle
 constexpr double parallel_cosine = 0.9;
-constexpr double spacing = 0.72, boundary_spacing = 0.3;  // of the wanted length
+constexpr double spacing = 0.72, boundary_spacing = 0.3, same_place = 1e-3;  // of the wanted length
 
 /// The triangles of a face: the new ones, and those kept between them.
 struct Patch {
@@ -235,11 +235,22 @@ void put_first(std::span<const Vec2> places, std::span<const double> wanted, con
     };
     for (std::size_t i = 0; i < seeds.fixed_count; ++i) take(seeds.points[i], seeds.wanted[i], boundary_spacing);
     const BoxTree fixed(around);
+    std::vector<Box> at;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        at.push_back(Box{in_space(places[i]), in_space(places[i])}.grown(same_place * wanted[i]));
+    const BoxTree all_places(at);
+    std::vector<char> is_taken(places.size(), 0);
+    const auto is_taken_by_another = [&](std::size_t i) {  // opposite two faces that end above one another, say
+        bool is_there = false;
+        all_places.visit_around(in_space(places[i]),
+                                [&](std::int32_t j) { is_there |= is_taken[std::size_t(j)] != 0; });
+        return is_there;
+    };
     void* hint = nullptr;
     for (std::size_t i = 0; i < places.size(); ++i)
         if (domain.contains(places[i], hint) && clearance(places[i], boundary) > boundary_spacing * wanted[i] &&
-            !is_in_any(fixed, in_space(places[i])))
-            take(places[i], wanted[i], spacing);
+            !is_in_any(fixed, in_space(places[i])) && !is_taken_by_another(i))
+            take(places[i], wanted[i], spacing), is_taken[i] = 1;
     all.fixed_count = all.points.size();
     around.erase(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(seeds.fixed_count));
     const BoxTree opposite(around);
