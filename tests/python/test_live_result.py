@@ -6,6 +6,7 @@ import os
 import sys
 import tempfile
 import unittest
+import zipfile
 from pathlib import Path
 from unittest import mock
 
@@ -18,6 +19,7 @@ from freecad.featuremesh import api, live_result, mesh_object, mesh_properties, 
 from freecad.featuremesh.errors import UserError
 from parts import plate_with_hole
 from statics_cases import HAS_SOLVER, STEEL, Case, edges_along, faces_at
+from test_hand_over import contents
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "resources" / "translations"))
 sys.dont_write_bytecode = True
@@ -59,6 +61,9 @@ class Live(Case):
     def cantilever(self, size=4.0):
         part, analysis = self.held_box(size)
         return part, analysis, api.live_result(analysis)
+
+    def touched(self):
+        return [obj.Name for obj in self.document.Objects if "Touched" in obj.State]
 
     def check_is_fresh(self, analysis, live):
         fields, report = statics.solve(analysis)
@@ -322,6 +327,31 @@ class Live(Case):
             self.document.Box.Length = 44
             self.document.recompute()
             self.check_is_fresh(self.document.Analysis, live)
+
+    def test_its_mesh_is_made_of_the_mesh_where_freecads_form_is_not_saved(self):
+        _, _, live = self.cantilever()
+        self.document.FeatureMesh.SavedForFreeCAD = False
+        found, touched = contents(live.Result.Mesh.FemMesh), self.touched()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "part.FCStd")
+            self.document.saveAs(path)
+            with zipfile.ZipFile(path) as saved:
+                self.assertEqual([name for name in saved.namelist() if name.endswith(".unv")], [])
+            self.assertNotIn("Transient", live.Result.Mesh.getPropertyStatus("FemMesh"))   # a recovery has it
+            FreeCAD.closeDocument(self.document.Name)
+            self.document = FreeCAD.openDocument(path)
+            live = self.document.Live
+            self.assertNotIn("Transient", live.Result.Mesh.getPropertyStatus("FemMesh"))
+            self.assertEqual((live.Status, contents(live.Result.Mesh.FemMesh)), (live_result.UP_TO_DATE, found))
+            self.assertEqual(self.touched(), touched)
+            live.Automatic = False   # the result stays that of the mesh before, of which the document knows no more
+            self.document.Box.Length = 44
+            self.document.recompute()
+            self.assertEqual(live.Status, live_result.OUT_OF_DATE)
+            self.document.save()
+            FreeCAD.closeDocument(self.document.Name)
+            self.document = FreeCAD.openDocument(path)
+            self.assertEqual(contents(self.document.Live.Result.Mesh.FemMesh), found)
 
     def test_an_edit_of_a_linked_document_makes_it_out_of_date(self):
         with tempfile.TemporaryDirectory() as folder:

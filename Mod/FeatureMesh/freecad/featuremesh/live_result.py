@@ -10,7 +10,7 @@ import FreeCAD
 from . import analyses, engine, mesh_object, messages, recompute_errors, references, results, solve_guard, state, statics, statics_model, statics_result, user_words
 from .errors import StateError, UserError
 from .messages import said
-from .mesh_properties import failed
+from .mesh_properties import choose_form, failed
 from .proxies import Stateless, add_missing
 from .reading import describe
 
@@ -93,6 +93,7 @@ class LiveResult(Stateless):
         if live.Status in (SOLVING, FIRST_SOLVING) or live.Status == UP_TO_DATE and self.mesh(live) is None:   # an older FreeCAD could not read the mesh
             self.set_status(live, OUT_OF_DATE)
         self._tell_of_no_analysis(live)   # a copy is in none
+        self._bring_mesh_back(live)
 
     def loads(self, saved):
         self._forget()
@@ -192,6 +193,27 @@ class LiveResult(Stateless):
             if len(fields["von_mises"]) == len(arrays["points"]):
                 self.solution, self.is_fresh = Solution(arrays, fields), live.Status == UP_TO_DATE
         return self.solution
+
+    def choose_form(self, live):
+        """To be called before the document is saved: where that leaves out FreeCAD's form of the mesh, so it does of the result's, if that can be made of the mesh."""
+        mesh, result = self.mesh(live), live.Result
+        if result is not None and result.Mesh is not None:
+            may_be_made = mesh is not None and live.Status == UP_TO_DATE and live.SolvedState == mesh.StateName   # its file is being moved
+            choose_form(result.Mesh, is_saved=not may_be_made or mesh.SavedForFreeCAD)
+
+    def _bring_mesh_back(self, live):
+        """Gives the result the mesh that was not saved with it."""
+        mesh, result = self.mesh(live), live.Result
+        if result is None or result.Mesh is None or result.Mesh.FemMesh.NodeCount or mesh is None or live.SolvedState != mesh.Proxy.state_of_mesh(mesh):
+            return
+        untouched = [obj for obj in (result.Mesh, result, self.analysis(live)) if obj is not None and "Touched" not in obj.State]
+        try:
+            statics_result.put_mesh(result, mesh.Proxy.arrays(mesh))
+        except StateError:
+            return   # the mesh's own object says so
+        for obj in untouched:
+            obj.purgeTouched()
+        choose_form(result.Mesh, is_saved=True)
 
     def mesh(self, live):
         """The mesh of ours in the analysis, or None."""
@@ -341,6 +363,16 @@ class _Observer:
                 _outdate(live)
                 if is_mesh and live.Automatic and solve_later is not None and obj.Status == mesh_object.UP_TO_DATE:
                     solve_later(live)
+
+    def slotStartSaveDocument(self, document, _):
+        for live in filter(is_live_result, document.Objects):
+            live.Proxy.choose_form(live)
+
+    def slotFinishSaveDocument(self, document, _):
+        """What FreeCAD keeps for a recovery, or copies, has the mesh of a result in any case: by then it may no more be that of the part's mesh."""
+        for live in filter(is_live_result, document.Objects):
+            if live.Result is not None and live.Result.Mesh is not None:
+                choose_form(live.Result.Mesh, is_saved=True)
 
     def slotUndoDocument(self, document):
         self._keep_results(document)

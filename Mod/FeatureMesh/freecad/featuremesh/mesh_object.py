@@ -72,7 +72,7 @@ class FeatureMesh(Stateless):
             results.mark(mesh)
         if name == "SavedForFreeCAD":
             for shown in [mesh, *analyses.shares_of(mesh)]:
-                choose_form(shown, mesh)
+                choose_form(shown, mesh.SavedForFreeCAD)
         if not self._is_opened:
             given_mesh.set_aside(mesh)
 

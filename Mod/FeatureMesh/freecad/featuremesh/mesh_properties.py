@@ -83,9 +83,9 @@ def add(mesh):
     add_missing(mesh, PROPERTIES, ("SavedForFreeCAD", "StateName", "ReferredTo"), _HIDDEN)
 
 
-def choose_form(obj, mesh):
-    """Lets FreeCAD save the FemMesh of an object, which is that of `mesh`, or not, as its property SavedForFreeCAD says."""
-    obj.setPropertyStatus("FemMesh", "-Transient" if mesh.SavedForFreeCAD else "Transient")
+def choose_form(obj, is_saved):
+    """Lets FreeCAD save the FemMesh of an object, or leave it out."""
+    obj.setPropertyStatus("FemMesh", "-Transient" if is_saved else "Transient")
 
 
 def is_of_its_part(mesh):

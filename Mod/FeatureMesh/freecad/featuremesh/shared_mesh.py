@@ -100,6 +100,6 @@ def share(mesh, analysis):
     SharedMesh(shared, mesh)
     shared.Label = "%s (%s)" % (mesh.Label, analysis.Label)
     analysis.addObject(shared)
-    choose_form(shared, mesh)
+    choose_form(shared, mesh.SavedForFreeCAD)
     shared.Proxy.show(shared, anew=True)
     return shared

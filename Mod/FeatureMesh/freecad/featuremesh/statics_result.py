@@ -35,14 +35,19 @@ def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
         if result.Mesh.ViewObject is not None:
             result.Mesh.ViewObject.Visibility = False   # FEM's result panel shows it
     if not same_mesh:
-        by_row = {**arrays, "node_numbers": np.arange(1, len(arrays["points"]) + 1)}
-        give(result.Mesh, result_mesh(arrays), hand_over.skin(result.Mesh, by_row))
+        put_mesh(result, arrays)
     fill(result, fields)
     _note_nodes(result, arrays["node_numbers"])
     results.note_again(result)
     result.purgeTouched()
     result.Mesh.purgeTouched()
     return result
+
+
+def put_mesh(result, arrays):
+    """Gives a result the mesh of the arrays, as `result_mesh` has it."""
+    by_row = {**arrays, "node_numbers": np.arange(1, len(arrays["points"]) + 1)}
+    give(result.Mesh, result_mesh(arrays), hand_over.skin(result.Mesh, by_row))
 
 
 def remove_left_over(document):
