@@ -61,13 +61,13 @@ constexpr std::array crashes{SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
     }
 }
 
-/// A library in trouble tells the terminal of it, and writes files into the folder that the user happens to be in.
-void write_nothing_but(int out) {
+/// A library in trouble tells the terminal of it, and writes files into the folder in which the user happens to be.
+/// In /proc nobody can make one.
+void leave_no_traces_but(int out) {
     const int nowhere = open("/dev/null", O_WRONLY);
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO})
         if (nowhere >= 0 && stream != out) dup2(nowhere, stream);
-    const rlimit no_more_files{0, 0};
-    setrlimit(RLIMIT_NOFILE, &no_more_files);
+    if (chdir("/proc") != 0 && chdir("/") != 0) _exit(has_failed);
 }
 
 /// In the copy: nothing of it reaches the caller but what is written to `out`.
@@ -82,7 +82,7 @@ void write_nothing_but(int out) {
     setrlimit(RLIMIT_CORE, &no_core);
     const rlimit seconds{patience.processor_seconds, patience.processor_seconds + 1};
     setrlimit(RLIMIT_CPU, &seconds);
-    write_nothing_but(out);
+    leave_no_traces_but(out);
     try {
         // On a thread of its own it gets memory of its own. What the program has freed lies in pages that the two
         // share, and each would be copied for a few bytes of it.

@@ -21,8 +21,8 @@ struct Patience {
 /// there. The copy is ended when the context is cancelled (throws Cancelled), and when the patience with it is at its
 /// end (throws MeshError). So it does where somebody else ends the copy, and std::bad_alloc where the copy has too
 /// little memory: no other mesh is made because a machine is slow or small. Where there is no fork, `work` runs here.
-/// The copy can open no file and is not heard in the terminal. It may use no context but the one that it is given: in
-/// the copy, one without a caller.
+/// The copy is in a folder in which no file can be made, and is not heard in the terminal. It may use no context but
+/// the one that it is given: in the copy, one without a caller.
 std::optional<std::vector<std::byte>> run_isolated(
     const std::function<std::vector<std::byte>(const RunContext& context)>& work, const Patience& patience,
     const RunContext& context);

@@ -51,13 +51,13 @@ TEST_CASE("isolated work that crashes or throws gives nothing, and changes nothi
 
 TEST_CASE("isolated work leaves no files and is not heard") {
     const auto heard = std::filesystem::temp_directory_path() / ("heard_" + std::to_string(getpid()));
-    const auto left = heard.string() + "_left";
+    const auto left = std::filesystem::current_path() / heard.filename();
     const int to_file = open(heard.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), terminal = dup(STDERR_FILENO);
     dup2(to_file, STDERR_FILENO);
     const auto got = run_isolated(
         [&](const RunContext&) {
             std::cerr << "in trouble" << std::endl;
-            std::ofstream(left) << "what is known";
+            std::ofstream(left.filename()) << "what is known";
             return Bytes(3);
         },
         enough, RunContext());
