@@ -108,6 +108,15 @@ SurfaceResult mesh_surface(const Brep& brep, double size, Mesh kept, int threads
     return fill_surface(brep, make_sizing(brep, options, {}, context), std::move(kept), context);
 }
 
+SurfaceResult mesh_surface(const Brep& brep, double size, NarrowFaces narrow) {
+    RunContext context;
+    SizingOptions sizing;
+    sizing.size = size;
+    SurfaceOptions options;
+    options.narrow = narrow;
+    return fill_surface(brep, make_sizing(brep, sizing, {}, context), {}, context, options);
+}
+
 std::vector<std::string> surface_findings(const Brep& brep, const Mesh& mesh) {
     std::vector<std::string> found;
     const Projector projector(brep);

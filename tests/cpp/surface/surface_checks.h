@@ -25,6 +25,8 @@ std::vector<NamedShape> named_shapes();
 TopoDS_Shape ellipsoid(const Vec3& half_axes);
 
 SurfaceResult mesh_surface(const Brep& brep, double size, Mesh kept = {}, int threads = 1);
+/// With the sizes that curved and thin faces ask for.
+SurfaceResult mesh_surface(const Brep& brep, double size, NarrowFaces narrow);
 
 /// Nodes on their entities, chains complete, triangles the right way round, every side shared as the shape says. In
 /// words; empty when all is well.

@@ -26,15 +26,6 @@ TopoDS_Shape plates() {
     return BRepAlgoAPI_Fuse(first, box(20 + width, 1.5, 20, 35)).Shape();
 }
 
-SurfaceResult filled(const Brep& brep, NarrowFaces narrow) {
-    RunContext context;
-    SizingOptions sizing;
-    sizing.size = size;
-    SurfaceOptions options;
-    options.narrow = narrow;
-    return fill_surface(brep, make_sizing(brep, sizing, {}, context), {}, context, options);
-}
-
 /// Of the nodes on one long side of the strip's top, those with none across.
 int nodes_alone(const Mesh& mesh) {
     int count = 0;
@@ -53,13 +44,13 @@ int nodes_alone(const Mesh& mesh) {
 
 TEST_CASE("a narrow strip in a plane gets its nodes opposite one another") {
     const Brep brep(plates());
-    const SurfaceResult result = filled(brep, NarrowFaces::opposite_nodes);
+    const SurfaceResult result = mesh_surface(brep, size, NarrowFaces::opposite_nodes);
     CHECK(surface_findings(brep, result.mesh).empty());
     CHECK(result.report.has_opposite_nodes);
     CHECK(nodes_alone(result.mesh) == 0);
     CHECK(edges_of_flat_strips(result.mesh, 0).empty());
 
-    const SurfaceResult own = filled(brep, NarrowFaces::own_chains);
+    const SurfaceResult own = mesh_surface(brep, size, NarrowFaces::own_chains);
     CHECK(nodes_alone(own.mesh) > 5);
     CHECK(edges_of_flat_strips(own.mesh, 0).size() > 5);
     CHECK(edges_of_flat_strips(own.mesh, own.mesh.triangles.size()).empty());

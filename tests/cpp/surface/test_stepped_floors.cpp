@@ -25,15 +25,6 @@ TopoDS_Shape block() {
     return BRepAlgoAPI_Cut(BRepAlgoAPI_Cut(box, hole(25, 5, thin)).Shape(), hole(29.8, 3.6, thick)).Shape();
 }
 
-SurfaceResult filled(const Brep& brep, NarrowFaces narrow) {
-    RunContext context;
-    SizingOptions sizing;
-    sizing.size = size;
-    SurfaceOptions options;
-    options.narrow = narrow;
-    return fill_surface(brep, make_sizing(brep, sizing, {}, context), {}, context, options);
-}
-
 /// Of the nodes on the strip of the wider hole's wall between the two floors, those that are on no edge of it.
 std::ptrdiff_t nodes_inside_strip(const Mesh& mesh) {
     std::ptrdiff_t count = 0;
@@ -46,11 +37,11 @@ std::ptrdiff_t nodes_inside_strip(const Mesh& mesh) {
 
 TEST_CASE("a strip of a curved face that is narrower than its arcs are high gets nodes opposite one another") {
     const Brep brep(block());
-    const SurfaceResult result = filled(brep, NarrowFaces::opposite_nodes);
+    const SurfaceResult result = mesh_surface(brep, size, NarrowFaces::opposite_nodes);
     CHECK(surface_findings(brep, result.mesh).empty());
     CHECK(result.report.has_opposite_nodes);
     CHECK(nodes_inside_strip(result.mesh) == 0);
-    CHECK(nodes_inside_strip(filled(brep, NarrowFaces::own_chains).mesh) > 0);
+    CHECK(nodes_inside_strip(mesh_surface(brep, size, NarrowFaces::own_chains).mesh) > 0);
 }
 
 TEST_CASE("places opposite two floors, the one's border above the other's, are one place") {
