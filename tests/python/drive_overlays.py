@@ -247,7 +247,7 @@ def check_large(document, mesh):
 
 def check_opened(document, mesh):
     """A mesh of an opened document, and its copy, are there with all elements, and drawn, whether or not FreeCAD saved it."""
-    for is_saved in (False, True):
+    for is_saved in ("Never", "Always"):
         mesh.SavedForFreeCAD = is_saved
         check_copy_of_document(document, mesh)
     assert "Touched" not in mesh.State

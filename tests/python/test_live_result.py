@@ -330,7 +330,7 @@ class Live(Case):
 
     def test_its_mesh_is_made_of_the_mesh_where_freecads_form_is_not_saved(self):
         _, _, live = self.cantilever()
-        self.document.FeatureMesh.SavedForFreeCAD = False
+        self.document.FeatureMesh.SavedForFreeCAD = "Never"
         found, touched = contents(live.Result.Mesh.FemMesh), self.touched()
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "part.FCStd")

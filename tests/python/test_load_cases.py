@@ -132,7 +132,7 @@ class LoadCases(MeshedPlate):
         copy = self.twin()
         self.mesh.AllGroups = True
         self.edit(24)   # which leaves gaps between numbers
-        self.mesh.SavedForFreeCAD = False
+        self.mesh.SavedForFreeCAD = "Never"
         self.assertNotIn("Touched", self.mesh.State)
         names = [self.mesh.Name, analyses.meshes_of(copy)[0].Name]
         before = [contents(self.document.getObject(name).FemMesh) for name in names]
@@ -144,7 +144,7 @@ class LoadCases(MeshedPlate):
         self.assertEqual([obj.Name for obj in self.document.Objects if "Touched" in obj.State], [])
         self.edit(22)
         self.assertGreater(self.mesh.KeptNodes, 30)
-        self.mesh.SavedForFreeCAD = True
+        self.mesh.SavedForFreeCAD = "Always"
         self.save_and_reopen()
         with zipfile.ZipFile(self.document.FileName) as saved:
             self.assertEqual(len([name for name in saved.namelist() if name.endswith(".unv")]), 2)

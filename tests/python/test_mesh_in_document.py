@@ -55,7 +55,7 @@ class WithoutEngine(MeshedPlate):
 
     def test_the_mesh_is_shown_without_freecads_form_too(self):
         self.edit()
-        self.mesh.SavedForFreeCAD, self.mesh.AllGroups = False, True
+        self.mesh.SavedForFreeCAD, self.mesh.AllGroups = "Never", True
         before = points_of(self.mesh), self.mesh.FemMesh.Volumes
         self.take_engine_away()
         self.save_and_reopen()
@@ -66,6 +66,35 @@ class WithoutEngine(MeshedPlate):
         with mock.patch.object(engine, "_place", None), mock.patch.object(engine_places, "usable", list), \
                 self.assertRaisesRegex(EngineMissing, "not installed.*shown as it was saved.*Addon Manager.*pip install.*portable zip"):
             engine.load()
+
+
+class LargeMesh(MeshedPlate):
+
+    def forms_in_file(self):
+        with zipfile.ZipFile(self.document.FileName) as saved:
+            return [name for name in saved.namelist() if name.endswith(".unv")]
+
+    def test_is_saved_in_freecads_form_only_where_that_is_asked_for(self):
+        """The report says so; the choice holds from the first save, however the mesh became large, and ends where it becomes small again."""
+        with mock.patch.object(mesh_properties, "LARGE", self.mesh.TetCount + 1):
+            self.save_and_reopen()
+            self.assertEqual(len(self.forms_in_file()), 1)
+            self.mesh.Size = self.mesh.Size / 2
+            self.document.recompute()
+            self.assertIn("SavedForFreeCAD to Always", self.mesh.Report)
+            before = points_of(self.mesh)
+            self.save_and_reopen()
+            self.assertEqual((self.forms_in_file(), points_of(self.mesh)), ([], before))
+            self.mesh.SavedForFreeCAD = mesh_properties.ALWAYS
+            self.assertNotIn("Touched", self.mesh.State)
+            self.save_and_reopen()
+            self.assertEqual(len(self.forms_in_file()), 1)
+            self.mesh.SavedForFreeCAD = mesh_properties.UNLESS_LARGE
+            self.mesh.Size = self.mesh.Size * 4
+            self.document.recompute()
+            self.assertNotIn("SavedForFreeCAD", self.mesh.Report)
+            self.save_and_reopen()
+            self.assertEqual(len(self.forms_in_file()), 1)
 
 
 class LargeState(MeshedPlate):

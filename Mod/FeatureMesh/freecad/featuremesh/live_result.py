@@ -10,7 +10,7 @@ import FreeCAD
 from . import analyses, engine, mesh_object, messages, recompute_errors, references, results, solve_guard, state, statics, statics_model, statics_result, user_words
 from .errors import StateError, UserError
 from .messages import said
-from .mesh_properties import choose_form, failed
+from .mesh_properties import choose_form, failed, is_saved_for_freecad
 from .proxies import Stateless, add_missing
 from .reading import describe
 
@@ -199,7 +199,7 @@ class LiveResult(Stateless):
         mesh, result = self.mesh(live), live.Result
         if result is not None and result.Mesh is not None:
             may_be_made = mesh is not None and live.Status == UP_TO_DATE and live.SolvedState == mesh.StateName   # its file is being moved
-            choose_form(result.Mesh, is_saved=not may_be_made or mesh.SavedForFreeCAD)
+            choose_form(result.Mesh, is_saved=not may_be_made or is_saved_for_freecad(mesh))
 
     def _bring_mesh_back(self, live):
         """Gives the result the mesh that was not saved with it."""

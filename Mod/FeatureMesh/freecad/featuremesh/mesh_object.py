@@ -17,7 +17,8 @@ from .job import MeshJob
 from .lost_references import LostReferences
 from .messages import said
 from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE,
-                              choose_form, differ_from_mesh, failed, failure_of, is_of_its_part, settings_of, show_report, status_in_words)
+                              choose_form, differ_from_mesh, element_count, failed, failure_of, is_of_its_part, is_saved_for_freecad, remarks_on_form, settings_of,
+                              show_report, status_in_words)
 from .numbering import Numbering
 from .proxies import Stateless
 from .reading import describe, elements_of_today, has_shape, read_document, refuse_gone, shape_of_record, with_elements
@@ -70,9 +71,9 @@ class FeatureMesh(Stateless):
             mesh.Status = SETTINGS_CHANGED if differ_from_mesh(mesh, settings_of(mesh)) else UP_TO_DATE
         if name in ("Status", "SavedState") and not FreeCAD.isRestoring() and not mesh.Document.Transacting and "SavedState" in mesh.PropertiesList:
             results.mark(mesh)
-        if name == "SavedForFreeCAD":
+        if name in ("SavedForFreeCAD", "TetCount") and "TetCount" in mesh.PropertiesList:
             for shown in [mesh, *analyses.shares_of(mesh)]:
-                choose_form(shown, mesh.SavedForFreeCAD)
+                choose_form(shown, is_saved_for_freecad(mesh))
         if not self._is_opened:
             given_mesh.set_aside(mesh)
 
@@ -204,6 +205,7 @@ class FeatureMesh(Stateless):
         self.settle(mesh, self._referring(mesh), job.raw)
         report["warnings"] += self._what_is_elsewhere(mesh, self._dependents(mesh), job.raw).values()
         report["warnings"] += hand_over.remarks_on_groups(job.part_mesh, mesh, versions.part_of(mesh), job.raw)
+        report["warnings"] += remarks_on_form(mesh, element_count(report))
         return report
 
     def fail(self, mesh, error):

@@ -6,6 +6,7 @@ import json
 import FreeCAD
 
 from . import messages, user_words
+from .messages import said
 from .proxies import add_missing
 
 # Kept in documents as they are; shown in the user's language by status_in_words.
@@ -20,6 +21,8 @@ FAILED = "failed: "   # and why, in English
 
 DIMENSIONS = ("From shape", "Solids", "Faces", "Edges")
 FROM_SHAPE = DIMENSIONS[0]
+SAVED_FOR_FREECAD = UNLESS_LARGE, ALWAYS, NEVER = "Unless larger than a million elements", "Always", "Never"
+LARGE = 1000000   # elements, of which FreeCAD saves and reads as many in 8 s
 
 # (type, name, group, default, read-only, tooltip)
 PROPERTIES = [
@@ -48,8 +51,8 @@ PROPERTIES = [
     ("App::PropertyLinkList", "MeshGroupList", "Mesh", [], False, "FEM mesh groups"),
     ("App::PropertyBool", "AllGroups", "Mesh", False, False,
      "Give the mesh in this document the groups of every face, edge and feature, too. Exported files have them always"),
-    ("App::PropertyBool", "SavedForFreeCAD", "Mesh", True, False,
-     "Save the mesh in FreeCAD's own form, too. Without that a large document is saved in a fifth of the time and has a third of the size, but only "
+    ("App::PropertyEnumeration", "SavedForFreeCAD", "Mesh", list(SAVED_FOR_FREECAD), False,
+     "Save the mesh in FreeCAD's own form, too. Without that a large document is saved in a tenth of the time and has a third of the size, but only "
      "FeatureMesh finds the mesh in it"),
     ("App::PropertyString", "Status", "Result", NOT_MESHED, True, "Whether the mesh fits the part, and if not, why"),
     ("App::PropertyInteger", "NodeCount", "Result", 0, True, "Nodes of the mesh"),
@@ -81,6 +84,19 @@ def add(mesh):
     if "Shape" not in mesh.PropertiesList and "Part" not in mesh.PropertiesList:
         mesh.addProperty("App::PropertyLinkGlobal", "Part", "Mesh", "The part to mesh")
     add_missing(mesh, PROPERTIES, ("SavedForFreeCAD", "StateName", "ReferredTo"), _HIDDEN)
+
+
+def is_saved_for_freecad(mesh):
+    """Is the mesh saved in FreeCAD's own form, too?"""
+    return mesh.SavedForFreeCAD == ALWAYS or mesh.SavedForFreeCAD != NEVER and mesh.TetCount <= LARGE
+
+
+def remarks_on_form(mesh, elements):
+    """What to know of saving a mesh of so many elements."""
+    if mesh.SavedForFreeCAD != UNLESS_LARGE or elements <= LARGE:
+        return []
+    return [said("The mesh has more than {limit:count} elements: it is saved in FeatureMesh's form only, in a tenth of the time. A FreeCAD without FeatureMesh finds no mesh in "
+                 "the document then; to save FreeCAD's form, too, set SavedForFreeCAD to Always.", limit=LARGE)]
 
 
 def choose_form(obj, is_saved):

@@ -10,7 +10,7 @@ import Fem
 from . import analyses, given_mesh, hand_over, state, versions
 from .errors import StateError
 from .given_mesh import give
-from .mesh_properties import choose_form
+from .mesh_properties import choose_form, is_saved_for_freecad
 from .proxies import Stateless
 from .resolving import Resolver
 
@@ -100,6 +100,6 @@ def share(mesh, analysis):
     SharedMesh(shared, mesh)
     shared.Label = "%s (%s)" % (mesh.Label, analysis.Label)
     analysis.addObject(shared)
-    choose_form(shared, mesh.SavedForFreeCAD)
+    choose_form(shared, is_saved_for_freecad(mesh))
     shared.Proxy.show(shared, anew=True)
     return shared

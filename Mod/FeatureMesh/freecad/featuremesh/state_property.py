@@ -12,7 +12,7 @@ from . import state
 
 _NAMED_BY = 16   # digits of its checksum that name a state's file
 _LARGE = 10_000_000   # bytes, of 250 000 tets; FreeCAD copies them one by one into a document and compresses them, while the window waits
-_WHEN_NOBODY_WAITS = 5.0   # seconds after it was stored a large one is compressed
+_WHEN_NOBODY_WAITS = 1.0   # seconds after it was stored a large one is compressed
 
 
 def put(mesh, saved):
