@@ -33,7 +33,8 @@ ON_THE_CONSOLE = ("cli.py", "tasks.py", "quality.py", "pictures.py", "difference
 NO_SENTENCE = re.compile(r"^\s*<|</|^\.?[a-z]*\{|^\*|^\^|^\n:root \{|^\ncreate table|^User parameter:|"
                          r"^(select|insert|update|create|pragma|begin|order|where) |^ (where|order) |FEM mesh has|"
                          r"^total (force|internal|mass)|^(interaction changed|trimmed differently|before and after|the inside|disk full|disk is full|readonly database|"
-                         r"unable to open|thin-plate spline|From shape|cancelled)$|^background-color|FeatureMesh, lengths in mm|^FIELD |^conjugate gradients|"
+                         r"unable to open|thin-plate spline|From shape|Unless larger than a million elements|"
+                         r"cancelled)$|^background-color|FeatureMesh, lengths in mm|^FIELD |^conjugate gradients|"
                          r"CalculiX's own choice|^few unknowns|unknowns, linear statics|^the solver object|a state holds plain numbers|^a plane is|"
                          r"the base document did not arrive whole|do not tell the terms apart|^Place of a response|^of unknown version")
 

@@ -95,8 +95,8 @@ def remarks_on_form(mesh, elements):
     """What to know of saving a mesh of so many elements."""
     if mesh.SavedForFreeCAD != UNLESS_LARGE or elements <= LARGE:
         return []
-    return [said("The mesh has more than {limit:count} elements: it is saved in FeatureMesh's form only, in a tenth of the time. A FreeCAD without FeatureMesh finds no mesh in "
-                 "the document then; to save FreeCAD's form, too, set SavedForFreeCAD to Always.", limit=LARGE)]
+    return [said("The mesh has more than {limit:count} {limit:element|elements}: it is saved in FeatureMesh's form only, in a tenth of the time. A FreeCAD without "
+                 "FeatureMesh finds no mesh in the document then; to save FreeCAD's form, too, set SavedForFreeCAD to Always.", limit=LARGE)]
 
 
 def choose_form(obj, is_saved):

@@ -575,8 +575,8 @@
       <translation>Der Haupteffekt ist die mittlere Änderung der Zielgröße vom kleinsten zum größten Wert eines Parameters; die Indizes sind die Anteile an der Varianz nach Sobol. Alle gelten für die Antwortfläche: Sie sagen nicht mehr, als deren Fehler zulässt, der an Fällen bestimmt ist, die bei der Anpassung weggelassen wurden.</translation>
     </message>
     <message>
-      <source>The mesh has more than {limit:count} elements: it is saved in FeatureMesh's form only, in a tenth of the time. A FreeCAD without FeatureMesh finds no mesh in the document then; to save FreeCAD's form, too, set SavedForFreeCAD to Always.</source>
-      <translation>Das Netz hat mehr als {limit:count} Elemente: Es wird nur in FeatureMeshs Form gespeichert, in einem Zehntel der Zeit. Ein FreeCAD ohne FeatureMesh findet dann kein Netz im Dokument; um auch FreeCADs Form zu speichern, SavedForFreeCAD auf Always setzen.</translation>
+      <source>The mesh has more than {limit:count} {limit:element|elements}: it is saved in FeatureMesh's form only, in a tenth of the time. A FreeCAD without FeatureMesh finds no mesh in the document then; to save FreeCAD's form, too, set SavedForFreeCAD to Always.</source>
+      <translation>Das Netz hat mehr als {limit:count} {limit:Element|Elemente}: Es wird nur in FeatureMeshs Form gespeichert, in einem Zehntel der Zeit. Ein FreeCAD ohne FeatureMesh findet dann kein Netz im Dokument; um auch FreeCADs Form zu speichern, SavedForFreeCAD auf Always setzen.</translation>
     </message>
     <message>
       <source>The mesh is in no analysis: %s has %s already, and an analysis is solved with one mesh. Drag the other one out of it and this one into it, if this one is to be solved.</source>
