@@ -165,6 +165,12 @@ class Export(unittest.TestCase):
         self.assertEqual((os.path.islink(link), os.stat(path).st_mode & 0o777), (True, 0o600))
         os.unlink(link)
 
+    def test_a_file_is_not_named_as_of_another_format(self):
+        path = os.path.join(self.folder, "plate.VTU")
+        with self.assertRaisesRegex(UserError, "plate.VTU is the name of a vtu file and would hold inp"):
+            api.export_mesh(self.mesh, path, "inp")
+        self.assertFalse(os.path.exists(path))
+
     def test_freecad_reads_it(self):
         for name in READ_BY_FREECAD[self.order]:
             with self.subTest(name):

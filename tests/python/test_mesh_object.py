@@ -163,6 +163,23 @@ class MeshObject(MeshedPlate):
         self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
         self.assert_on_the_part()
 
+    def test_manual_mode_and_threads_alter_no_mesh(self):
+        self.document.UndoMode = 1
+        self.document.openTransaction("By hand")
+        self.mesh.Automatic, self.mesh.Threads = False, 1
+        self.document.commitTransaction()
+        for step in ("set", "undone", "redone"):
+            with self.subTest(step):
+                self.document.recompute()
+                self.assertEqual((self.mesh.Status, self.mesh.Automatic), (mesh_object.UP_TO_DATE, step == "undone"))
+            self.document.undo() if step == "set" else self.document.redo()
+        self.edit()
+        self.assertEqual(self.mesh.Status, mesh_object.OUT_OF_DATE)
+        self.mesh.Automatic = True
+        self.document.recompute()
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.assert_on_the_part()
+
     def test_undo_and_redo_bring_the_mesh_back(self):
         self.document.UndoMode = 1
         before = points_of(self.mesh)

@@ -162,6 +162,13 @@ class OfAMesh(unittest.TestCase):
                 self.refused("None is no object of a document; give a mesh of FeatureMesh", function, None, *more)
                 self.refused("it was deleted", function, removed, *more)
 
+    def test_a_picture_of_which_the_cut_leaves_nothing(self):
+        self.document.recompute()
+        box = self.body.Shape.BoundBox
+        for cut in ("z>%g" % (box.ZMax + 1), "x<%g" % (box.XMin - 1)):
+            with self.subTest(cut):
+                self.refused("the cut leaves nothing of FeatureMesh; its nodes are from [(]", api.draw_quality, self.mesh, "mesh.png", cut=cut)
+
     def test_another_object_than_an_analysis(self):
         for function in (api.solve, api.solve_analysis, api.live_result, api.copy_analysis):
             with self.subTest(function=function.__name__):

@@ -33,6 +33,10 @@ def write(mesh, path, file_format):
     file_format = file_format.lower()
     if file_format not in FORMATS:
         raise UserError(said("cannot export to {format:text}, only to {formats:text}", format=file_format or path, formats=", ".join(FORMATS)))
+    ending = os.path.splitext(path)[1].lstrip(".").lower()
+    if ending in FORMATS and ending != file_format:
+        raise UserError(said("{path:text} is the name of a {ending:text} file and would hold {format:text}; give it another name, or ask for {ending:text}",
+                             path=os.path.basename(path), ending=ending, format=file_format))
     if not mesh.FemMesh.NodeCount:
         raise UserError(said("{mesh:text} has no mesh yet; recompute the document first", mesh=mesh.Label))
     if file_format in _WITHOUT_BEAMS and not mesh.FemMesh.FaceCount:

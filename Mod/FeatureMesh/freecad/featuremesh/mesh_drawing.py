@@ -6,6 +6,8 @@ import json
 import numpy as np
 
 from . import overlays, picture_process
+from .errors import UserError
+from .messages import said
 from .quality import MEASURES
 
 _FROM_ABOVE = np.array((-0.45, 0.75, -0.6))   # the direction that a part is looked at along
@@ -16,6 +18,9 @@ def draw(mesh, path, measure, limits=None, plane=None, is_filled=False):
     """Writes the picture, and returns the overlays.Overlay. Throws UserError."""
     overlay = overlays.quality(mesh, measure, limits)
     corners, colours = overlay.drawn(plane, is_filled)
+    if not len(corners):
+        raise UserError(said("the cut leaves nothing of {mesh:text}; its nodes are from {low:point} to {high:point}",
+                             mesh=mesh.Label, low=tuple(overlay.points.min(axis=0)), high=tuple(overlay.points.max(axis=0))))
     kind, bounds = MEASURES[measure], np.linspace(*(limits or MEASURES[measure].limits), _BINS + 1)
     legend = [(kind.colours(np.array([(low + high) / 2]), limits)[0].tolist(), _range(kind, low, high, index))
               for index, (low, high) in enumerate(zip(bounds[:-1], bounds[1:]))]

@@ -69,6 +69,8 @@ class FeatureMesh(Stateless):
         if name in SETTINGS and getattr(mesh, "Status", "") in (UP_TO_DATE, SETTINGS_CHANGED) and not FreeCAD.isRestoring() \
                 and not mesh.Document.Transacting:
             mesh.Status = SETTINGS_CHANGED if differ_from_mesh(mesh, settings_of(mesh)) else UP_TO_DATE
+        if name == "Automatic" and mesh.Automatic and getattr(mesh, "Status", UP_TO_DATE) != UP_TO_DATE and not FreeCAD.isRestoring() and not mesh.Document.Transacting:
+            mesh.touch()
         if name in ("Status", "SavedState") and not FreeCAD.isRestoring() and not mesh.Document.Transacting and "SavedState" in mesh.PropertiesList:
             results.mark(mesh)
         if name in ("SavedForFreeCAD", "TetCount") and "TetCount" in mesh.PropertiesList:

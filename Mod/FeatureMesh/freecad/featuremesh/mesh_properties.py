@@ -70,6 +70,8 @@ PROPERTIES = [
     ("App::PropertyString", "ReferredTo", "Result", "", True, "What loads, supports, materials and refinements referred to, as JSON"),
 ]
 _HIDDEN = ("Report", "Failure", "SavedState", "StateName", "ReferredTo")
+# What alters no mesh: FreeCAD does not tell a mesh that follows by hand what is new, so that it would call itself out of date.
+_WITHOUT_TOUCH = ("Threads", "Automatic", "SavedForFreeCAD", "StateName", "ReferredTo")
 OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
               "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "QualityTarget": "target_dihedral_deg",
               "IgnoreBelow": "ignore_below", "Threads": "threads"}
@@ -83,7 +85,9 @@ def add(mesh):
     """Adds what the object lacks: all of it when new, what came later when from an older document."""
     if "Shape" not in mesh.PropertiesList and "Part" not in mesh.PropertiesList:
         mesh.addProperty("App::PropertyLinkGlobal", "Part", "Mesh", "The part to mesh")
-    add_missing(mesh, PROPERTIES, ("SavedForFreeCAD", "StateName", "ReferredTo"), _HIDDEN)
+    add_missing(mesh, PROPERTIES, _WITHOUT_TOUCH, _HIDDEN)
+    for name in ("Threads", "Automatic"):   # of an older document
+        mesh.setPropertyStatus(name, ["NoRecompute", "Output"])
 
 
 def is_saved_for_freecad(mesh):

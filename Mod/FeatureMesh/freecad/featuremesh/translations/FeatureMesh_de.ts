@@ -1257,6 +1257,10 @@
       <translation>die Kopie in {folder:text} ist nicht vollständig</translation>
     </message>
     <message>
+      <source>the cut leaves nothing of {mesh:text}; its nodes are from {low:point} to {high:point}</source>
+      <translation>der Schnitt lässt von {mesh:text} nichts übrig; seine Knoten liegen zwischen {low:point} und {high:point}</translation>
+    </message>
+    <message>
       <source>the disk of {folder:text} is full ({why:messages}); every finished case is safe. Make room, then go on with `study resume`</source>
       <translation>die Platte mit {folder:text} ist voll ({why:messages}); jeder fertige Fall ist gesichert. Platz schaffen, dann mit `study resume` weitermachen</translation>
     </message>
@@ -1887,6 +1891,10 @@
     <message>
       <source>{path:text} is of a newer FeatureMesh (schema {schema:text}, this one reads {newest:count})</source>
       <translation>{path:text} ist von einem neueren FeatureMesh (Schema {schema:text}, dieses liest {newest:count})</translation>
+    </message>
+    <message>
+      <source>{path:text} is the name of a {ending:text} file and would hold {format:text}; give it another name, or ask for {ending:text}</source>
+      <translation>{path:text} ist der Name einer {ending:text}-Datei und enthielte {format:text}; einen anderen Namen angeben oder {ending:text} wählen</translation>
     </message>
     <message>
       <source>{path:text} was saved by another program meanwhile, which writing it would undo; do this again, or write another file with --out</source>
