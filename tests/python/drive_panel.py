@@ -51,6 +51,12 @@ def check_cancel(document, sketch):
     assert names(document) == before and document.UndoCount == steps and not document.HasPendingTransaction
     assert not Gui.Control.activeDialog() and Gui.activeDocument().getInEdit() is None
 
+    document.UndoMode = 0   # as one of FreeCAD's preferences has it
+    open_new(sketch)
+    click_in_panel("Cancel")
+    assert names(document) == before, names(document) - before
+    document.UndoMode = 1
+
     settings = open_new(sketch)   # a size that cannot be meshed: the panel stays and says so, and Cancel takes all of it back
     settings.size.setProperty("rawValue", 1000.0)
     click_in_panel("Apply")

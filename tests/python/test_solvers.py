@@ -5,7 +5,7 @@ import unittest
 
 import ObjectsFem
 from analyses import add_solver
-from freecad.featuremesh import api, calculix, live_result, solvers, solving, statics
+from freecad.featuremesh import api, calculix, live_result, solvers, solving, statics, tasks
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from statics_cases import HAS_SOLVER, Case
@@ -93,6 +93,22 @@ class SeveralSolvers(Case):
         report = api.solve_analysis(self.of_the_box, "ccx")
         self.assertIn("solved as %s asks, not %s" % (self.first.Name, other.Name), list(map(english, report["warnings"])))
         self.assertGreater(api.solve(self.of_the_box).figures["stress"], 0)
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_modes_are_told_by_their_frequencies(self):
+        self.first.AnalysisType = "frequency"
+        self.first.EigenmodesCount = 2
+        report = api.solve_analysis(self.of_the_box)
+        found = report["responses"]
+        self.assertEqual((len(found["frequencies_hz"]), found["max_mises_mpa"], found["max_displacement_mm"]), (2, None, None))
+        self.assertRegex(tasks.solution_in_words(report), r"^CalculiX: frequencies [\d.e+]+, [\d.e+]+ Hz, in ")
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_a_check_of_the_mesh_gives_no_result(self):
+        self.first.AnalysisType = "check"
+        for solve in (api.solve_analysis, api.solve):
+            with self.assertRaisesRegex(UserError, "only checks the mesh"):
+                solve(self.of_the_box)
 
 
 if __name__ == "__main__":

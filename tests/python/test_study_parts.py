@@ -18,10 +18,11 @@ from matplotlib.figure import Figure
 
 from study_tests import ROOT
 
+from freecad.featuremesh import modes  # noqa: E402
 from freecad.featuremesh.errors import UserError  # noqa: E402
 from freecad.featuremesh.messages import english  # noqa: E402
 from freecad.featuremesh.study import (  # noqa: E402
-    answers, case_book, design, memory, modes, optimise, optuna_search, planning, plots, progress, runner, sampling, study_file, surface, worker_process)
+    answers, case_book, design, memory, optimise, optuna_search, planning, plots, progress, runner, sampling, study_file, surface, worker_process)
 from freecad.featuremesh.study.classic_designs import box_behnken, central_composite  # noqa: E402
 from freecad.featuremesh.study.database import Database  # noqa: E402
 from freecad.featuremesh.study.expressions import Expression  # noqa: E402

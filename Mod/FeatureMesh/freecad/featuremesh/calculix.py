@@ -17,7 +17,7 @@ import FreeCAD
 import numpy as np
 from femtools import ccxtools
 
-from . import analyses, frd, solvers, solving, statics, statics_model, statics_result, versions
+from . import analyses, frd, modes, solvers, solving, statics, statics_model, statics_result, versions
 from .errors import UserError
 from .messages import said
 from .reading import describe
@@ -57,7 +57,8 @@ def solve(analysis):
     if result is None:
         raise UserError(said("CalculiX gave no result for {analysis:text}", analysis=describe(analysis)))
     return {"solver": "CalculiX", "matrix_solver": {**matrix_solver, "preconditioner": None}, "result": result.Name,
-            "responses": {**_responses(analysis, result, read is not None), "reactions_n": read[1] if read is not None else printed_reactions(printed, analysis),
+            "responses": {**_responses(analysis, result, read is not None, printed, solver.AnalysisType),
+                          "reactions_n": read[1] if read is not None else printed_reactions(printed, analysis),
                           "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
                           "strain_energy_mj": printed_strain_energy(printed)},
             "iterations": None, "residual": None, "energy_error": None, "mesh_error": None,
@@ -86,6 +87,9 @@ def write_input(tools, folder, analysis):
     """FreeCAD's input file, in the folder. Throws UserError."""
     if not analyses.meshes_of(analysis):
         raise UserError(said("{analysis:text} has no mesh; mesh its part first, by Mesh a part or `featuremesh mesh`", analysis=describe(analysis)))
+    if tools.solver.AnalysisType == "check":
+        raise UserError(said("{solver:text} only checks the mesh (Check Mesh), which gives no result; choose another type of analysis in its panel",
+                             solver=describe(tools.solver)))
     tools.setup_working_dir(folder)
     tools.update_objects()
     problem = tools.check_prerequisites()
@@ -185,8 +189,12 @@ def run(tools):
     return code
 
 
-def _responses(analysis, result, is_by_row):
-    """`is_by_row`: are the result's nodes those of the mesh's arrays, row by row? FreeCAD counts them in the order of their numbers."""
+def _responses(analysis, result, is_by_row, printed, kind):
+    """`is_by_row`: are the result's nodes those of the mesh's arrays, row by row? FreeCAD counts them in the order of their numbers. How large the
+    displacements and stresses of a mode are says nothing."""
+    if kind in modes.TABLES:
+        nothing = dict.fromkeys(("max_mises_mpa", "max_mises_at", "max_displacement_mm", "max_displacement_at"))
+        return {**nothing, "frequencies_hz" if kind == "frequency" else "buckling_factors": modes.read(printed, kind)}
     displacements = np.array([tuple(vector) for vector in result.DisplacementVectors])
     mises, lengths = np.array(result.vonMises), np.linalg.norm(displacements, axis=1)
     worst, farthest = int(mises.argmax()), int(lengths.argmax())
@@ -198,7 +206,8 @@ def _responses(analysis, result, is_by_row):
         return statics.place(arrays, int(order[rows[row]])) if arrays is not None and len(order) == len(rows) else None
 
     return {"max_mises_mpa": float(mises[worst]), "max_mises_at": place(worst),
-            "max_displacement_mm": float(lengths[farthest]), "max_displacement_at": place(farthest)}
+            "max_displacement_mm": float(lengths[farthest]), "max_displacement_at": place(farthest),
+            **({"max_temperature_k": max(result.Temperature)} if kind == "thermomech" and len(result.Temperature) else {})}
 
 
 def _arrays(analysis):

@@ -73,7 +73,7 @@ def update(task):
     solved = ""
     if task.get("solve"):
         report["solution"] = api.solve_analysis(api.find_analysis(document), threads=task.get("threads") or 0, progress=_progress)
-        solved = "; " + _solution_in_words(report["solution"])
+        solved = "; " + solution_in_words(report["solution"])
     out = _save(document, task, report)
     kept = report.get("kept") or {}
     return ("%s has %s, %.1f %% of the nodes kept%s%s; saved as %s"
@@ -87,7 +87,7 @@ def solve(task):
     which = "live" if task.get("live") else "ccx" if task.get("ccx") else None
     report = api.solve_analysis(analysis, which, threads=task.get("threads") or 0, progress=_progress)
     out = _save(document, task, report)
-    return "%s; saved as %s" % (_solution_in_words(report), out), report
+    return "%s; saved as %s" % (solution_in_words(report), out), report
 
 
 def diff(task):
@@ -249,12 +249,20 @@ def _size_in_words(report):
         report["nodes"], element_count(report), quality["min_dihedral"], forced, report["seconds"]["total"], report["seconds"]["engine_total"])
 
 
-def _solution_in_words(report):
+def solution_in_words(report):
+    """What a solution gave, in a line."""
     found, how = report["responses"], ", %d iterations" % report["iterations"] if report["iterations"] is not None else ""
+    return "%s: %s, in %.2f s%s" % ("live" if report["solver"] == "live" else report["solver"], _responses_in_words(found), report["seconds"]["total"], how)
+
+
+def _responses_in_words(found):
+    for name, words in (("frequencies_hz", "frequencies %s Hz"), ("buckling_factors", "buckling factors %s")):
+        if name in found:
+            return words % (", ".join("%.4g" % value for value in found[name]) or "none")
     where = found["max_mises_at"]
-    return "%s: largest von Mises stress %.4g MPa%s, largest displacement %.4g mm, in %.2f s%s" % (
-        "live" if report["solver"] == "live" else report["solver"], found["max_mises_mpa"], " on %s" % where["on"] if where else "",
-        found["max_displacement_mm"], report["seconds"]["total"], how)
+    temperature = ", highest temperature %.4g K" % found["max_temperature_k"] if "max_temperature_k" in found else ""
+    return "largest von Mises stress %.4g MPa%s, largest displacement %.4g mm%s" % (
+        found["max_mises_mpa"], " on %s" % where["on"] if where else "", found["max_displacement_mm"], temperature)
 
 
 def _fallback_in_words(report):

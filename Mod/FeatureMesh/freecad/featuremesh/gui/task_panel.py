@@ -38,7 +38,8 @@ class MeshPanel:
 
     def __init__(self, mesh):
         self.mesh = mesh
-        self.is_new = mesh.Status == NOT_MESHED and mesh.Document.HasPendingTransaction
+        # Without undo (a preference of FreeCAD's) nothing is ever pending.
+        self.is_new = mesh.Status == NOT_MESHED and (mesh.Document.HasPendingTransaction or not mesh.Document.UndoMode)
         self._unmeshed_settings = {}
         self._is_taking_back = False
         self._close_when_done = False

@@ -11,11 +11,10 @@ from dataclasses import dataclass, field
 import numpy as np
 from femtools import ccxtools
 
-from .. import calculix, engine, formats, frd, parent_process, statics
+from .. import calculix, engine, formats, frd, modes, parent_process, statics
 from ..errors import Said, UserError
 from ..messages import of_error, said
 from ..reading import describe
-from . import modes
 from .steps import step
 
 
