@@ -73,6 +73,30 @@ def check_which_mesh(document, meshes, second):
     close_panel()
 
 
+def check_by_hand(document):
+    """A new mesh that is not to be updated automatically: the part is edited while its panel is open, and the first size is refused."""
+    from freecad.featuremesh import preferences
+    part = document.addObject("Part::Box", "Third")
+    document.recompute()
+    preferences.put("Automatic", False)
+    select((part,))
+    run_command("MeshPart")
+    settings = panel("MeshPanel")
+    part.Length = 12
+    document.recompute()
+    assert settings.mesh.Status == "not meshed yet", settings.mesh.Status
+    settings.size.setProperty("rawValue", 1000.0)
+    click_in_panel("Apply")
+    wait_for(lambda: settings.running is None)
+    assert "failed" in settings.status.text(), settings.status.text()
+    settings.size.setProperty("rawValue", 3.0)
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    mesh = document.getObject("FeatureMesh002")
+    assert (mesh.Status, mesh.Automatic, mesh.TetCount > 0) == ("up to date", False, True), (mesh.Status, mesh.Automatic, mesh.TetCount)
+    preferences.put("Automatic", True)
+
+
 def check_what_has_no_part(document, body, mesh):
     """Loads, groups, results and studies have no part of their own: they are no reason to refuse the only one that there is."""
     group = mesh.Proxy and ObjectsFem.makeMeshGroup(document, mesh)
@@ -326,6 +350,7 @@ def drive():
     meshes = [api.add_mesh(part, 4.0, order=1) for part in (first, second)]
     two.recompute()
     check_which_mesh(two, meshes, second)
+    check_by_hand(two)
     check_part_deleted(two, meshes[0])
     if versions.version() >= (1, 1):   # 1.0 tells nobody what is frozen
         check_frozen(two, two.Box, two.FeatureMesh)

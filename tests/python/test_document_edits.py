@@ -7,7 +7,7 @@ import unittest
 from types import SimpleNamespace
 
 import FreeCAD
-from freecad.featuremesh.edits import is_whole_number, parameter_value, set_parameter
+from freecad.featuremesh.edits import is_whole_number, parameter_value, set_parameter, value_to_vary
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.study import case_run, dimensions
 from parts import new_document, placement, plate_with_hole
@@ -103,6 +103,24 @@ class Edits(unittest.TestCase):
         self.refused("Sheet.double=3", "is computed")
         self.refused("Sheet.thicknes=3", "did you mean thickness")
         self.refused("Sheet.thickness=thick", "no number")
+        self.assertEqual([parameter_value(self.document, "Sheet." + name) for name in ("thickness", "double", "A1")], [20, 40, 20])
+        with self.assertRaisesRegex(UserError, "has no alias or cell thick"):
+            parameter_value(self.document, "Sheet.thick")
+
+    def test_cells_that_drive_the_part_are_dimensions_of_it(self):
+        sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
+        for cell, value, alias in (("B10", "8", "thickness"), ("A2", "30 mm", "place"), ("AA2", "3", "number"), ("A3", "=thickness / 2", "half"), ("A4", "words", "words")):
+            sheet.set(cell, value)
+            sheet.setAlias(cell, alias)
+        prism = self.document.addObject("Part::Prism", "Prism")
+        self.plate.setExpression("Length", "Sheet.thickness")
+        prism.setExpression("Polygon", "Sheet.number")
+        self.document.recompute()
+        found = {dimension.target: (dimension.value, dimension.unit, dimension.usual_range()) for dimension in dimensions.of_part(self.body)}
+        self.assertEqual([target for target in found if target.startswith("Sheet")], ["Sheet.place", "Sheet.number", "Sheet.thickness"])
+        self.assertEqual([found["Sheet." + name] for name in ("place", "number", "thickness")],
+                         [(30, "mm", (27, 33)), (3, "", (2, 4)), (8, "", (7.2, 8.8))])
+        self.assertNotIn("Plate.Length", found)
 
     def test_what_a_parameter_is_in_a_unit(self):
         self.set("Plate.Length=12.7")
@@ -135,6 +153,9 @@ class Edits(unittest.TestCase):
         self.refused("Plate.Length=3", "driven by the expression")
         self.sketch.setExpression("Constraints.X", "20 mm")
         self.refused("HoleSketch.X=3", "driven by the expression")
+        for target in ("Plate.Length", "HoleSketch.X"):
+            with self.subTest(target), self.assertRaisesRegex(UserError, "driven by the expression"):
+                value_to_vary(self.document, target)
 
     def test_a_configuration_is_chosen(self):
         """As FreeCAD's table of configurations makes it, whose list of names is an expression."""
@@ -155,6 +176,7 @@ class Edits(unittest.TestCase):
             self.assertAlmostEqual(self.body.Shape.BoundBox.ZLength, thickness)
         self.refused("Body.Variant=huge", "only one of: small, large")
         self.refused("Sheet.thickness=3", "")
+        self.assertEqual([dimension.target for dimension in dimensions.of_object(sheet)], [])
 
     def test_a_case_of_a_study_cannot_be_made_where_what_its_part_comes_from_was_in_error_before(self):
         moved = self.document.addObject("Part::Mirroring", "Mirror")

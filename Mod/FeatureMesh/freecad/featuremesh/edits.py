@@ -3,6 +3,7 @@
 
 import math
 import re
+import string
 
 import FreeCAD
 
@@ -16,6 +17,7 @@ _NO_PROPERTY = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no property {
 _NO_CONSTRAINT = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no constraint or property {name:text}{near:messages}")
 _NO_CELL = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no alias or cell {name:text}{near:messages}")   # of a spreadsheet
 _WHOLE = ("App::PropertyInteger", "App::PropertyIntegerConstraint")
+_CAPITALS, _DIGITS = string.ascii_uppercase, string.digits
 _TRUE, _FALSE = ("true", "yes", "on", "1"), ("false", "no", "off", "0")
 
 
@@ -52,6 +54,14 @@ def parameter_value(document, target, unit=""):
     return value / _quantity_of_one(unit, target)
 
 
+def value_to_vary(document, target, unit=""):
+    """The same as parameter_value. Throws UserError for what an expression drives, too."""
+    value = parameter_value(document, target, unit)
+    name, _, path = target.partition(".")
+    _refuse_fixed(find_object(document, name), path)
+    return value
+
+
 def is_whole_number(document, target):
     """Has the parameter to be a whole number? That is known of a property; a cell of a spreadsheet is one where it drives such a property."""
     name, _, path = target.partition(".")
@@ -79,13 +89,13 @@ def _value_now(document, target):
     if obj.isDerivedFrom("Sketcher::SketchObject"):
         constraint = obj.Constraints[_constraint_index(obj, path)]
         return math.degrees(constraint.Value) if constraint.Type == "Angle" else constraint.Value
-    if obj.TypeId == "Spreadsheet::Sheet" and path in obj.PropertiesList:
-        value = obj.get(path)
+    if obj.TypeId == "Spreadsheet::Sheet":
+        value = obj.get(_cell_of(obj, path))
         return getattr(value, "Value", value)
     raise _unknown(obj, first, obj.PropertiesList)
 
 
-def refuse_fixed(obj, name):
+def _refuse_fixed(obj, name):
     """Throws UserError for a property or constraint that an expression drives."""
     if obj.isDerivedFrom("Sketcher::SketchObject") and name not in obj.PropertiesList:
         _refuse_driven(obj, _constraint_index(obj, name), name)
@@ -219,12 +229,7 @@ def _constraint_index(sketch, name):
 
 
 def _set_cell(sheet, name, text):
-    cell = sheet.getCellFromAlias(name)
-    if cell is None and name in sheet.PropertiesList and name[:1].isupper() and name[-1:].isdigit():
-        cell = name
-    if cell is None:
-        aliases = [sheet.getAlias(p) for p in sheet.PropertiesList if sheet.getTypeOfProperty(p) and _alias(sheet, p)]
-        raise _unknown(sheet, name, aliases, _NO_CELL)
+    cell = _cell_of(sheet, name)
     _refuse_computed(sheet, cell, name)
     if not _is_quantity(text):
         raise _no_number(text, "%s.%s" % (describe(sheet), name))
@@ -233,18 +238,29 @@ def _set_cell(sheet, name, text):
     sheet.set(cell, text)
 
 
+def aliases_of(sheet):
+    """The names that a spreadsheet's cells have, row by row."""
+    cells = [name for name in sheet.PropertiesList if _is_cell(name) and sheet.getAlias(name)]
+    return [sheet.getAlias(cell) for cell in sorted(cells, key=lambda cell: (int(cell.lstrip(_CAPITALS)), len(cell.rstrip(_DIGITS)), cell))]
+
+
+def _cell_of(sheet, name):
+    """The cell of that alias or address. Throws UserError."""
+    cell = sheet.getCellFromAlias(name) or (name if name in sheet.PropertiesList and _is_cell(name) else None)
+    if cell is None:
+        raise _unknown(sheet, name, aliases_of(sheet), _NO_CELL)
+    return cell
+
+
+def _is_cell(name):
+    return name[:1] in _CAPITALS and name.lstrip(_CAPITALS).isdigit()
+
+
 def _refuse_computed(sheet, cell, name):
     content = sheet.getContents(cell)
     if content.startswith("=") and any(letter.isalpha() for letter in content[1:]) and not _is_quantity(content[1:]):
         raise UserError(said("{object:text}.{name:text} is computed ({content:text}), change what it depends on",
                              object=describe(sheet), name=name, content=content))
-
-
-def _alias(sheet, name):
-    try:
-        return sheet.getAlias(name)
-    except ValueError:
-        return None
 
 
 def _refuse_expression(obj, path):

@@ -16,7 +16,7 @@ from .given_mesh import give
 from .job import MeshJob
 from .lost_references import LostReferences
 from .messages import said
-from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE,
+from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, NOT_MESHED, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE,
                               choose_form, differ_from_mesh, element_count, failed, failure_of, is_of_its_part, is_saved_for_freecad, remarks_on_form, settings_of,
                               show_report, status_in_words)
 from .numbering import Numbering
@@ -55,7 +55,7 @@ class FeatureMesh(Stateless):
     def execute(self, mesh):
         """Called by recompute: updates the mesh, or in manual mode only says that it is out of date."""
         if not mesh.Automatic:
-            mesh.Status = OUT_OF_DATE
+            mesh.Status = OUT_OF_DATE if mesh.SavedState else NOT_MESHED
             return
         try:
             self.update(mesh)

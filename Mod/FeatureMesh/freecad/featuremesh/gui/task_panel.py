@@ -240,7 +240,7 @@ class MeshPanel:
             self._close_when_done = True
             return False
         self.apply_settings()
-        is_to_be_meshed = self.mesh.Status == NOT_MESHED or self.mesh.Automatic and self.mesh.Status != UP_TO_DATE
+        is_to_be_meshed = not self.mesh.SavedState or self.mesh.Automatic and self.mesh.Status != UP_TO_DATE
         if not is_to_be_meshed:
             self._close()
             return True

@@ -16,7 +16,7 @@ def make(plain_study, out):
     """Writes the base document to `out`. Returns what is known then: the parameters' base values, the solver, the mesh. Throws UserError."""
     study = from_plain(plain_study)
     document = documents.open_document(study.document)
-    values = {parameter.name: edits.parameter_value(document, parameter.target, parameter.unit) for parameter in study.parameters}
+    values = {parameter.name: edits.value_to_vary(document, parameter.target, parameter.unit) for parameter in study.parameters}
     integers = [parameter.name for parameter in study.parameters if edits.is_whole_number(document, parameter.target)]
     for live in [obj for obj in document.Objects if live_result.is_live_result(obj)]:
         document.removeObject(live.Name)   # it would be solved with every recompute

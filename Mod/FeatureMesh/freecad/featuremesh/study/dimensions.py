@@ -47,7 +47,7 @@ def of_part(part):
 def of_object(obj):
     """Those of one sketch, feature or sheet: what can be set, and is no nought."""
     if obj.TypeId == "Spreadsheet::Sheet":
-        names, unit = [name for name in obj.PropertiesList if obj.getCellFromAlias(name)], _unit_of_cell
+        names, unit = edits.aliases_of(obj), _unit_of_cell
     elif obj.isDerivedFrom("Sketcher::SketchObject"):
         names, unit = _constraints(obj), _unit_of_constraint
     else:
@@ -55,10 +55,11 @@ def of_object(obj):
     made = []
     for name in names:
         try:
-            value = edits.parameter_value(obj.Document, "%s.%s" % (obj.Name, name))
-            edits.refuse_fixed(obj, name)
+            value = edits.value_to_vary(obj.Document, "%s.%s" % (obj.Name, name))
         except UserError:
             continue   # an expression drives it, or it is no number
+        if type(value) is int and not edits.is_whole_number(obj.Document, "%s.%s" % (obj.Name, name)):
+            value = float(value)   # FreeCAD takes "5" in a cell for one
         if isinstance(value, (int, float)) and not isinstance(value, bool) and value:
             made.append(Dimension(obj, name, value, unit(obj, name)))
     return made

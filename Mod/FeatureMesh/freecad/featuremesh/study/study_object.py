@@ -159,7 +159,7 @@ def start(obj, wait=False):
     """Writes the document as it is and the study into a new folder, and runs it there; with `wait` it returns when that has ended. Returns the
     window_run.WindowRun. Throws UserError, and leaves no folder where nothing was begun."""
     for parameter in study_of(obj, "").parameters:   # whatever is wrong is told before anything is written
-        edits.parameter_value(obj.Document, parameter.target, parameter.unit)
+        edits.value_to_vary(obj.Document, parameter.target, parameter.unit)
     folder = window_run.new_folder(obj.Document.FileName, obj.Name)
     try:
         os.makedirs(folder)
