@@ -107,6 +107,31 @@ class Edits(unittest.TestCase):
         with self.assertRaisesRegex(UserError, "has no alias or cell thick"):
             parameter_value(self.document, "Sheet.thick")
 
+    def test_a_cell_keeps_its_unit(self):
+        """What is computed of it needs that."""
+        sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
+        for cell, value, alias in (("A1", "10 mm", "thickness"), ("A2", "=thickness + 5 mm", "more"), ("A3", "2 N", "load"), ("A4", "30 deg", "angle"), ("A5", "4", "number")):
+            sheet.set(cell, value)
+            sheet.setAlias(cell, alias)
+        self.plate.setExpression("Length", "Sheet.more")
+        self.document.recompute()
+        before = sheet.getContents("A1")
+        for value, thickness in (("17", 17), ("1e1", 10), ("2 cm", 20), ("0.1234567890123456", 0.1234567890123456), ("3*4", 12), ("2.5", 2.5)):
+            with self.subTest(value):
+                self.set("Sheet.thickness=" + value)
+                self.assertEqual((sheet.thickness.Value, self.plate.Length.Value), (thickness, thickness + 5))
+        self.set("Sheet.thickness=10")
+        self.assertEqual(sheet.getContents("A1"), before)
+        load = FreeCAD.Units.Quantity("3 N")
+        self.set("Sheet.load=3 N")
+        self.set("Sheet.load=%r" % load.Value)   # as a study writes it
+        self.assertEqual((str(sheet.load), sheet.load.Unit), (str(load), load.Unit))
+        self.set("Sheet.angle=45")
+        self.assertEqual(str(sheet.angle), "45.0 deg")
+        self.set("Sheet.number=5")
+        self.assertEqual((sheet.number, type(sheet.number)), (5, int))
+        self.refused("Sheet.thickness=3 kg", "3 kg has the wrong unit for Sheet.thickness")
+
     def test_cells_that_drive_the_part_are_dimensions_of_it(self):
         sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
         for cell, value, alias in (("B10", "8", "thickness"), ("A2", "30 mm", "place"), ("AA2", "3", "number"), ("A3", "=thickness / 2", "half"), ("A4", "words", "words")):

@@ -231,11 +231,21 @@ def _constraint_index(sketch, name):
 def _set_cell(sheet, name, text):
     cell = _cell_of(sheet, name)
     _refuse_computed(sheet, cell, name)
-    if not _is_quantity(text):
-        raise _no_number(text, "%s.%s" % (describe(sheet), name))
-    if text[:1] not in "=" and any(letter.isalpha() for letter in text.replace("e", "")):
-        text = "=" + text
-    sheet.set(cell, text)
+    sheet.set(cell, _content_like(sheet, cell, text.lstrip("="), "%s.%s" % (describe(sheet), name)))
+
+
+def _content_like(sheet, cell, text, where):
+    """What to write into a cell so that it has this value, and its unit as before: else what is computed of it, such as `width + 5 mm`, is wrong."""
+    content = sheet.getContents(cell)
+    had = sheet.get(cell) if content else 0.0
+    value = _quantity(text, getattr(had, "Unit", None) or FreeCAD.Units.Unit(), where, or_any=not hasattr(had, "Unit"))
+    amount, unit = value.Value, str(value).partition(" ")[2]
+    if not unit:
+        return text if _is_plain(text) else repr(amount)
+    if not unit.isalpha():   # a cell cannot read mm*kg/s^2
+        _, factor, unit = value.getUserPreferred()
+        amount /= factor
+    return "=%r %s" % (amount, unit)
 
 
 def aliases_of(sheet):
@@ -305,13 +315,21 @@ def _number(text, unit, where):
     raise _no_number(text, where)
 
 
-def _quantity(text, unit, where):
+def _is_plain(text):
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
+
+
+def _quantity(text, unit, where, or_any=False):
+    """Of that unit, without one or, where that may be, of any unit."""
     if not _is_quantity(text):
         raise _no_number(text, where)
     quantity = FreeCAD.Units.Quantity(text)
     if quantity.Unit == FreeCAD.Units.Unit():
         return FreeCAD.Units.Quantity(quantity.Value, unit)
-    if quantity.Unit != unit:
+    if quantity.Unit != unit and not or_any:
         raise UserError(said("{value:text} has the wrong unit for {target:text}", value=text, target=where))
     return quantity
 
