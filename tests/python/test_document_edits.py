@@ -7,9 +7,10 @@ import unittest
 from types import SimpleNamespace
 
 import FreeCAD
+from freecad.featuremesh import api
 from freecad.featuremesh.edits import is_whole_number, parameter_value, set_parameter, value_to_vary
 from freecad.featuremesh.errors import UserError
-from freecad.featuremesh.study import case_run, dimensions
+from freecad.featuremesh.study import case_run, dimensions, study_object
 from parts import new_document, placement, plate_with_hole
 
 
@@ -172,6 +173,15 @@ class Edits(unittest.TestCase):
         self.assertEqual({target for target, is_whole in found.items() if is_whole}, {"Sheet.sides", "Prism.Polygon"})
         prism.setExpression("Polygon", "Sheet.A2")
         self.assertTrue(is_whole_number(self.document, "Sheet.A2"))
+
+    def test_a_study_shows_labels(self):
+        """Its columns are named as they are set."""
+        self.sketch.Label = "Loch & Größe"
+        study = api.add_study(self.body)
+        study.Parameters, study.Responses = ["HoleSketch.Radius=3:5", "Plate.Length=8:9"], ["volume"]
+        found = study_object.study_of(study, "part.FCStd").parameters
+        self.assertEqual([(parameter.name, parameter.title) for parameter in found],
+                         [("HoleSketch.Radius", "Loch & Größe.Radius"), ("Plate.Length", "Plate.Length")])
 
     def test_driven_values_are_refused(self):
         self.plate.setExpression("Length", "HoleSketch.Constraints.Radius * 2")

@@ -201,6 +201,7 @@ class Files(unittest.TestCase):
             asked = study("sobol", "A.x=10:20", "Sheet.d=1:3:5 cm", "A.kind=round,square", cases=12, seed=7, object="Body", solver="ccx", keep=["inp"],
                           constraints=['A.x < 15 or "a" < "b"'], mesh_size=2.5, seconds_limit=9.0, memory_limit_gb=1.5, threads=2)
             asked.document = os.path.join(folder, "pärt.FCStd")
+            asked.parameters[0].label = 'Größe "A".x'
             asked.responses = parse_list("mass,frequency_2,own=max_mises@Face3:p99,displacement_z@1,2,3") + [
                 parse_response({"name": "ratio", "expression": "mass / 2"}), parse_response({"name": "f", "file": os.path.join(folder, "f.py")})]
             path = os.path.join(folder, "study.toml")
@@ -305,6 +306,15 @@ class Answers(unittest.TestCase):
                          ["1\nx", "3", "10\ny", "30", "1\nmass, kg", "3", "43.33\nstress, MPa", "130"])
         self.assertEqual(plots._told_apart(0.11794, 0.11801), ("0.11794", "0.11801"))
         self.assertEqual(plots._told_apart(1 / 3, 1 / 3), ("0.3333", "0.3333"))
+
+    def test_labels_of_parameters_are_shown_as_they_are(self):
+        data, responses = self.data(), [parse_response("mass")]
+        data.names = [r"Größe $x^{ \frac$", "50 $ & <b>"]
+        for draw in (lambda figure: plots.scatter(figure, data, responses), lambda figure: plots.parallel(figure, data, responses),
+                     lambda figure: plots.tornado(figure, data, responses, [answers.effects(data, "mass")])):
+            figure = Figure()
+            draw(figure)
+            FigureCanvasAgg(figure).draw()
 
     def test_the_names_of_many_axes_are_not_on_one_another(self):
         data, names = self.data(), ["r%d" % number for number in range(6)]

@@ -143,7 +143,7 @@ class StudyWindow(QtGui.QDialog):
         """The case that is selected stays so."""
         selected = [self._case_in(row).id for row in self._selected_rows()]
         names = [entry.name for entry in (*self._design.parameters, *self._design.responses)]
-        titles = [*(entry.name for entry in self._design.parameters), *(in_words(entry.title) for entry in self._design.responses)]
+        titles = [*(entry.title for entry in self._design.parameters), *(in_words(entry.title) for entry in self._design.responses)]
         self.table.setSortingEnabled(False)   # while rows are filled
         self.table.setColumnCount(len(names) + 3)
         self.table.setHorizontalHeaderLabels([translate("FeatureMesh", "case"), translate("FeatureMesh", "state"), *titles, translate("FeatureMesh", "message")])
@@ -165,7 +165,7 @@ class StudyWindow(QtGui.QDialog):
 
     def _in_words(self, case):
         values = {**case.parameters, **case.responses}
-        known = [(entry.name, entry.name, "") for entry in self._design.parameters]
+        known = [(entry.name, entry.title, "") for entry in self._design.parameters]
         known += [(entry.name, in_words(entry.words), " " + entry.unit if entry.unit else "") for entry in self._design.responses]
         words = ", ".join("%s %s%s" % (word, _shown(values[name]), unit) for name, word, unit in known if name in values)
         return translate("FeatureMesh", "Case %d: %s") % (case.id, in_words(case.message) if case.state in ("failed", "infeasible") else words)

@@ -20,7 +20,7 @@ class Data:
     """The finished cases as arrays."""
     study: object
     cases: list
-    names: list                # of the parameters that were varied
+    names: list                # as the parameters that were varied are shown
     points: np.ndarray         # (n,k) coded: -1 lowest, 1 highest
     limits: list               # (lowest, highest) of each; of words their numbers in the list of values
 
@@ -48,7 +48,7 @@ def data_of(folder):
     for parameter in study.parameters:
         column = np.array(_numbers(parameter, [case.parameters[parameter.name] for case in cases]))
         if column.min() < column.max():
-            names.append(parameter.name)
+            names.append(parameter.title)
             limits.append((float(column.min()), float(column.max())))
             columns.append(2 * (column - column.min()) / (column.max() - column.min()) - 1)
     return Data(study, cases, names, np.column_stack(columns) if columns else np.zeros((len(cases), 0)), limits)

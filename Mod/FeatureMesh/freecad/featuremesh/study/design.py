@@ -23,7 +23,7 @@ _KEYS = {"document": str, "object": str, "analysis": str, "solver": str, "thread
          "constraints": list, "responses": list, "mesh": dict, "limits": dict, "parameters": list}
 _MESH_KEYS = {"size": _NUMBER, "order": int}
 _LIMIT_KEYS = {"seconds": _NUMBER, "memory_gb": _NUMBER}
-_PARAMETER_KEYS = {"set": str, "name": str, "range": list, "values": list, "unit": str, "levels": int, "integer": bool}
+_PARAMETER_KEYS = {"set": str, "name": str, "range": list, "values": list, "unit": str, "levels": int, "integer": bool, "label": str}
 _IN_WORDS = {str: said("a text in quotes"), int: said("a whole number"), _NUMBER: said("a number"), list: said("a list in square brackets"),
              dict: said("a table"), bool: said("true or false")}
 
@@ -38,6 +38,12 @@ class Parameter:
     unit: str = ""                               # mm and degrees when empty
     levels: int = 3                              # of a grid, between the bounds
     integer: bool = False                        # whole numbers only; known for a property that is one
+    label: str = ""                              # what it is called where cases are shown, if not as its column
+
+    @property
+    def title(self):
+        """What plots, tables on the screen and the page call it."""
+        return self.label or self.name
 
     def assignment(self, value):
         """The edit that gives it a value."""
@@ -223,7 +229,7 @@ def _parameter(given, path):
     if bounds and (len(bounds) != 2 or not all(isinstance(entry, (int, float)) for entry in bounds)):
         raise UserError(said("{path:text}: the range of {parameter:text} is two numbers", path=path, parameter=given["set"]))
     return Parameter(given["set"], given.get("name", given["set"]), tuple(map(float, bounds)), list(given.get("values", [])), given.get("unit", ""),
-                     given.get("levels", 3), given.get("integer", False))
+                     given.get("levels", 3), given.get("integer", False), given.get("label", ""))
 
 
 def _listed(text):

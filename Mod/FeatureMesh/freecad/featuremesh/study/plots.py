@@ -34,7 +34,7 @@ def scatter(figure, data, responses, say=english):
             plot.scatter(low + (data.points[:, column] + 1) / 2 * (high - low), data.values(response.name), s=14, color=_BLUE, picker=5)
             plot.xaxis.set_major_locator(MaxNLocator(3))   # numbers may be as long as 0.00925
             plot.tick_params(axis="x", labelsize=8)
-            plot.set_xlabel(name)
+            plot.set_xlabel(_in_lines(name, _LETTERS_WIDE))
             if column == 0:
                 plot.set_ylabel(_in_lines(say(response.title), _LETTERS_HIGH))
             values = data.values(response.name)
@@ -54,7 +54,7 @@ def parallel(figure, data, responses, say=english):
         plot.plot(line, color=colormaps["viridis"](line[coloured]), alpha=0.8, linewidth=1.1, picker=4)
     scale = np.linspace(0, 1, _SHADES)
     plot.scatter(np.full(_SHADES, coloured), scale, c=scale, cmap="viridis", marker="s", s=24, linewidths=0)   # what the colours mean
-    titles = data.names + [_in_lines(say(response.title), _LETTERS_BESIDE) for response in responses]
+    titles = [_in_lines(title, _LETTERS_BESIDE) for title in (*data.names, *(say(response.title) for response in responses))]
     for place, (name, (low, high)) in enumerate(zip(titles, limits)):
         plot.axvline(place, color=_GREY, linewidth=0.8)
         ends = _told_apart(low, high)
@@ -64,8 +64,8 @@ def parallel(figure, data, responses, say=english):
 
 
 def _in_lines(text, letters):
-    """The same text in lines of so many letters."""
-    return textwrap.fill(text, letters, break_long_words=False)
+    """The same text in lines of so many letters; a $ in it begins no formula."""
+    return textwrap.fill(text, letters, break_long_words=False).replace("$", r"\$")
 
 
 def _told_apart(low, high):
@@ -86,7 +86,7 @@ def tornado(figure, data, responses, all_effects, say=english):
         plot.set_axis_off()
     for plot, found in zip(axes.ravel(), all_effects):
         order = np.argsort(np.abs(found.main))
-        plot.barh([data.names[place] for place in order], found.main[order], color=[_BLUE if found.main[place] < 0 else _ORANGE for place in order])
+        plot.barh([_in_lines(data.names[place], _LETTERS_WIDE) for place in order], found.main[order], color=[_BLUE if found.main[place] < 0 else _ORANGE for place in order])
         plot.axvline(0, color="black", linewidth=0.8)
         plot.xaxis.set_major_locator(MaxNLocator(3))
         plot.xaxis.set_major_formatter(FuncFormatter(lambda value, _: "%.3g" % value))

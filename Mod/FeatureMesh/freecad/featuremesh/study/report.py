@@ -127,7 +127,7 @@ class _Page:
     def _cases_table(self):
         study, cases = self._data.study, self._folder.database.cases()
         names = [parameter.name for parameter in study.parameters] + [response.name for response in study.responses]
-        titles = [parameter.name for parameter in study.parameters] + [response.title for response in study.responses]
+        titles = [parameter.title for parameter in study.parameters] + [response.title for response in study.responses]
         head = self._row_of_titles([said("case"), said("state"), *titles, said("time, s"), said("nodes kept"), said("message")])
         more = self._note(said("{count:count} more are in the table that `study export` writes.", count=len(cases) - _MOST_ROWS)) \
             if len(cases) > _MOST_ROWS else ""
@@ -140,7 +140,8 @@ class _Page:
         return "<tr>%s</tr>" % "".join("<td>" + html.escape(cell) for cell in cells)
 
     def _case_in_words(self, case):
-        words = {response.name: self._say(response.words) for response in self._data.study.responses}
+        words = {parameter.name: parameter.title for parameter in self._data.study.parameters}
+        words.update((response.name, self._say(response.words)) for response in self._data.study.responses)
         values = ", ".join("%s %s" % (words.get(name, name), self._shown(value)) for name, value in {**case.parameters, **case.responses}.items())
         return said("case {case:count} ({values:text})", case=case.id, values=values)
 

@@ -27,7 +27,7 @@ def write(study, path):
 def _parameter(parameter):
     usual = Parameter(parameter.target, parameter.target)
     lines = ["set = %s" % _text(parameter.target)]
-    for key, name in (("name", "name"), ("range", "bounds"), ("values", "values"), ("unit", "unit"), ("levels", "levels"), ("integer", "integer")):
+    for key, name in (("name", "name"), ("range", "bounds"), ("values", "values"), ("unit", "unit"), ("levels", "levels"), ("integer", "integer"), ("label", "label")):
         if getattr(parameter, name) != getattr(usual, name):
             lines.append("%s = %s" % (key, _text(getattr(parameter, name))))
     return lines

@@ -144,7 +144,8 @@ def study_of(obj, document_path):
         raise UserError(said("nothing is varied: tick a dimension and give it a range"))
     if not obj.Responses:
         raise UserError(said("nothing is asked for: tick what each case is to tell"))
-    study = Study(document_path, [parse_parameter(text) for text in obj.Parameters], [parse_response(text) for text in obj.Responses], object=obj.Part.Name,
+    parameters = [_labelled(parse_parameter(text), obj.Document) for text in obj.Parameters]
+    study = Study(document_path, parameters, [parse_response(text) for text in obj.Responses], object=obj.Part.Name,
                   analysis=obj.Analysis.Name if obj.Analysis else None, solver=None if obj.Solver == _ANY_SOLVER else obj.Solver,
                   sampling=obj.Sampling, cases=obj.Cases if obj.Sampling in COUNTED else 0, seed=obj.Seed, constraints=list(obj.Constraints),
                   keep=list(obj.Keep), seconds_limit=obj.SecondsLimit)
@@ -153,6 +154,15 @@ def study_of(obj, document_path):
         study.mesh_size, study.mesh_order = api.default_size(obj.Part, wanted["elements"]), wanted["order"]
     check(study)
     return study
+
+
+def _labelled(parameter, document):
+    """It is shown by the label that its object has in the tree."""
+    name, _, path = parameter.target.partition(".")
+    owner = document.getObject(name)
+    if owner is not None and owner.Label != name:
+        parameter.label = "%s.%s" % (owner.Label, path)
+    return parameter
 
 
 def start(obj, wait=False):
