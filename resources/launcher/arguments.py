@@ -4,6 +4,7 @@ import argparse
 
 import commands
 import study_arguments
+import wheels
 from lengths import ignored_length, millimetres
 
 PROGRAM = "featuremesh"
@@ -25,6 +26,7 @@ class Parser(argparse.ArgumentParser):
 def parse(words):
     parser = Parser(prog=PROGRAM, description=DESCRIPTION, usage=f"{PROGRAM} [-h] COMMAND ...",
                     formatter_class=one_line_each)
+    parser.add_argument("--version", action="version", version=f"FeatureMesh {wheels.project_version()}", help="tell the version; of everything: about")
     subparsers = parser.add_subparsers(prog=PROGRAM, dest="command", metavar="COMMAND ...", required=True, parser_class=Parser)
     for add in (add_demo, add_test, add_mesh, add_adopt, add_update, add_solve, add_transfer, add_renumber, add_diff, add_tree, add_export, add_picture, add_script,
                 add_gui, add_bench, add_study,

@@ -88,6 +88,11 @@ class CommandLine(unittest.TestCase):
                 os.environ.pop(name, None)
             self.assertRaisesRegex(UserError, "there is no screen", given.run, given)
 
+    def test_the_version_is_told(self):
+        done = run("--version")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"^FeatureMesh \d+\.\d+\.\d+$")
+
     def test_wrong_use_is_the_users_error_in_one_line(self):
         for words in ((), ("mesh",), ("mesh", "no_such.FCStd"), ("mesh", __file__, "--size", "0"), ("mesh", __file__, "--size", "-1"),
                       ("mesh", __file__, "--size", "nan"), ("mesh", __file__, "--size", "inf"), ("mesh", __file__, "--order", "3"), ("mesh", __file__, "--threads", "0"),
