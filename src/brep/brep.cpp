@@ -50,7 +50,7 @@ struct Brep::Data {
     std::vector<char> is_free_face, is_free_edge;
     Dimension dimension = Dimension::solids;
     std::vector<double> volumes;
-    std::vector<Box> box_of_face;
+    std::vector<Box> box_of_face, box_of_edge;
     std::vector<Vec3> points;
     std::vector<char> is_degenerated;
     Box box;
@@ -102,6 +102,11 @@ bool is_elementary(const TopoDS_Face& face) {
     return true;
 }
 
+/// Does what holds its edges hold all of it?
+bool is_within_edges(const TopoDS_Face& face) {
+    return BRepAdaptor_Surface(face, false).GetType() == GeomAbs_Plane && TopExp_Explorer(face, TopAbs_EDGE).More();
+}
+
 /// Tight but for free-form faces and edges, where the kernel would search for the extremes for seconds: there it holds
 /// the bounds of the face.
 Box tight_box_of(const std::vector<TopoDS_Face>& faces, const std::vector<Bnd_Box>& bounds_of_face) {
@@ -115,10 +120,10 @@ Box tight_box_of(const std::vector<TopoDS_Face>& faces, const std::vector<Bnd_Bo
     return to_box(bounds);
 }
 
-Box box_of_edges(const std::vector<TopoDS_Edge>& edges) {
-    Box box;
-    for (const TopoDS_Edge& edge : edges) box.add(box_of(edge));
-    return box;
+Box box_of_all(const std::vector<Box>& boxes) {
+    Box all;
+    for (const Box& box : boxes) all.add(box);
+    return all;
 }
 
 /// By free face the sheet that it belongs to: all that are joined by edges, in the order of their first faces, from
@@ -208,10 +213,14 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
     data->faces_of_edge.resize(data->edge.size());
     data->edges_of_vertex.resize(data->vertex.size());
     data->solids_beside.resize(data->face.size());
-    std::vector<Bnd_Box> bounds_of_face(data->face.size());
+    std::vector<Bnd_Box> bounds_of_face(data->face.size()), bounds_of_edge(data->edge.size());
+    for (std::size_t e = 0; e < data->edge.size(); ++e) {
+        if (!BRep_Tool::IsGeometric(data->edge[e])) throw InputError(say<Code::edge_without_curve>(EdgeId(e)));
+        data->is_degenerated.push_back(BRep_Tool::Degenerated(data->edge[e]));
+        if (!data->is_degenerated[e]) add_bounds(data->edge[e], bounds_of_edge[e]);
+        data->box_of_edge.push_back(to_box(bounds_of_edge[e]));
+    }
     for (std::size_t f = 0; f < data->face.size(); ++f) {
-        add_bounds(data->face[f], bounds_of_face[f]);
-        data->box_of_face.push_back(to_box(bounds_of_face[f]));
         for (TopExp_Explorer it(data->face[f], TopAbs_EDGE); it.More(); it.Next()) {
             const auto edge = id_in<EdgeKind>(data->edges, it.Current());
             const TopAbs_Orientation orientation = it.Current().Orientation();
@@ -222,10 +231,13 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
                 data->edges_of_face[f].push_back(edge);
             }
         }
+        if (is_within_edges(data->face[f]))
+            for (const EdgeId e : data->edges_of_face[f]) bounds_of_face[f].Add(bounds_of_edge[e.index()]);
+        else
+            add_bounds(data->face[f], bounds_of_face[f]);
+        data->box_of_face.push_back(to_box(bounds_of_face[f]));
     }
     for (std::size_t e = 0; e < data->edge.size(); ++e) {
-        if (!BRep_Tool::IsGeometric(data->edge[e])) throw InputError(say<Code::edge_without_curve>(EdgeId(e)));
-        data->is_degenerated.push_back(BRep_Tool::Degenerated(data->edge[e]));
         TopoDS_Vertex first, last;
         TopExp::Vertices(data->edge[e], first, last);
         data->ends.push_back({id_in<VertexKind>(data->vertices, first), id_in<VertexKind>(data->vertices, last)});
@@ -240,10 +252,10 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
         for (const VertexId v : data->vertices_inside[f]) data->face_around.emplace(v, f);
     }
     data->points = vertex_places(data->vertex, data->edge, data->ends, data->face, data->faces_of_edge);
-    data->box = data->face.empty() ? box_of_edges(data->edge) : tight_box_of(data->face, bounds_of_face);
+    data->box = data->face.empty() ? box_of_all(data->box_of_edge) : tight_box_of(data->face, bounds_of_face);
     if (dimension == Dimension::from_shape)
         for (std::size_t e = 0; e < data->edge.size(); ++e)
-            if (data->faces_of_edge[e].empty()) data->box.add(featuremesh::box_of(data->edge[e]));
+            if (data->faces_of_edge[e].empty()) data->box.add(data->box_of_edge[e]);
     for (std::size_t s = 0; s < data->solid.size(); ++s) {
         std::vector<int> uses(data->edge.size(), 0);
         double volume = 0;
@@ -330,6 +342,7 @@ double Brep::distance_from(VertexId id, const Vec3& p) const {
     return std::min(distance(point_of(id), p), distance(to_vec3(BRep_Tool::Pnt(vertex(id))), p));
 }
 const Box& Brep::box_of(FaceId face) const { return data_->box_of_face[face.index()]; }
+const Box& Brep::box_of(EdgeId edge) const { return data_->box_of_edge[edge.index()]; }
 const Box& Brep::box() const { return data_->box; }
 Tolerances Brep::tolerances() const { return {data_->box.diagonal()}; }
 double Brep::volume_of(SolidId solid) const { return data_->volumes[solid.index()]; }

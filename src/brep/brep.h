@@ -86,6 +86,7 @@ class Brep {
     /// From that point, or from the kernel's own, where other meshers put the node.
     double distance_from(VertexId vertex, const Vec3& p) const;
     const Box& box_of(FaceId face) const;  ///< holds it, not the tightest
+    const Box& box_of(EdgeId edge) const;  ///< the same; empty for a pole
     const Box& box() const;                ///< exact enough for sizes, not for topology
     Tolerances tolerances() const;
     double volume_of(SolidId solid) const;  ///< mm^3

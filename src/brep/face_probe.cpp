@@ -2,13 +2,13 @@
 #include "brep/face_probe.h"
 
 #include <BRepTools.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
 #include <ElSLib.hxx>
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <ShapeAnalysis_Surface.hxx>
 
+#include "brep/face_trim.h"
 #include "brep/occt_geometry.h"
 #include "brep/solid_probe.h"
 
@@ -18,11 +18,11 @@ struct FaceProbe::Data {
     TopoDS_Face face;
     std::optional<Box> box;
     BRepAdaptor_Surface surface;
-    std::unique_ptr<BRepTopAdaptor_FClass2d> trim;
+    FaceTrim trim;
     Handle(ShapeAnalysis_Surface) free_form;
     std::optional<std::optional<Vec3>> inner_point;
 
-    explicit Data(const TopoDS_Face& f) : face(f), surface(f, false) {}
+    explicit Data(const TopoDS_Face& f) : face(f), surface(f, false), trim(f) {}
 
     gp_Pnt2d nearest_parameters(const gp_Pnt& p) {
         double u = 0, v = 0;
@@ -80,10 +80,7 @@ bool FaceProbe::contains(const Vec3& p, double tolerance) const {
     return contains(uv.X(), uv.Y());
 }
 
-bool FaceProbe::contains(double u, double v) const {
-    if (!data_->trim) data_->trim = std::make_unique<BRepTopAdaptor_FClass2d>(data_->face, Precision::PConfusion());
-    return data_->trim->Perform({u, v}) != TopAbs_OUT;
-}
+bool FaceProbe::contains(double u, double v) const { return data_->trim.has(u, v); }
 
 Vec3 FaceProbe::normal_at(const Vec3& p) const {
     const gp_Pnt2d uv = data_->nearest_parameters(to_pnt(p));

@@ -3,7 +3,6 @@
 
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
-#include <Precision.hxx>
 #include <cmath>
 #include <numbers>
 
@@ -31,7 +30,7 @@ Box box_of_edge(const BoundaryEdge& edge, const TopoDS_Edge& shape) {
 }
 }  // namespace
 
-BoundaryModel::BoundaryModel(const Brep& brep) : brep_(brep), classifiers_(brep.face_count()) {
+BoundaryModel::BoundaryModel(const Brep& brep) : brep_(brep), trims_(brep.face_count()) {
     for (std::size_t e = 0; e < brep.edge_count(); ++e) take_edge(EdgeId(e));
     for (std::size_t f = 0; f < brep.face_count(); ++f) take_face(FaceId(f));
 }
@@ -98,16 +97,9 @@ void BoundaryModel::find_sense(FaceId id, BoundaryFace& face) const {
 }
 
 Containment BoundaryModel::classify(FaceId face, std::array<double, 2> uv) const {
-    auto& classifier = classifiers_[face.index()];
-    if (!classifier) classifier = std::make_unique<BRepTopAdaptor_FClass2d>(brep_.face(face), Precision::PConfusion());
-    switch (classifier->Perform(gp_Pnt2d(uv[0], uv[1]))) {
-        case TopAbs_IN:
-            return Containment::inside;
-        case TopAbs_OUT:
-            return Containment::outside;
-        default:
-            return Containment::on;
-    }
+    std::optional<FaceTrim>& trim = trims_[face.index()];
+    if (!trim) trim.emplace(brep_.face(face));
+    return trim->containment_of(uv[0], uv[1]);
 }
 
 }  // namespace featuremesh

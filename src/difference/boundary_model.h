@@ -2,11 +2,11 @@
 // The boundary of a final shape as trimmed underlying surfaces, ready to be compared under any motion.
 #pragma once
 
-#include <BRepTopAdaptor_FClass2d.hxx>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "brep/brep.h"
+#include "brep/face_trim.h"
 #include "brep/solid_probe.h"
 #include "core/geometry.h"
 #include "core/ids.h"
@@ -55,7 +55,7 @@ class BoundaryModel {
     Brep brep_;
     std::vector<BoundaryFace> faces_;
     std::vector<BoundaryEdge> edges_;
-    mutable std::vector<std::unique_ptr<BRepTopAdaptor_FClass2d>> classifiers_;
+    mutable std::vector<std::optional<FaceTrim>> trims_;
 };
 
 }  // namespace featuremesh

@@ -2,13 +2,12 @@
 #include "difference/volume_faces.h"
 
 #include <BRepTools.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
-#include <Precision.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <algorithm>
 #include <optional>
 
+#include "brep/face_trim.h"
 #include "brep/occt_geometry.h"
 #include "brep/solid_probe.h"
 #include "core/ids.h"
@@ -23,7 +22,7 @@ constexpr int points_across = 6;
 /// in the trim, and the one inside, is found when it is asked for.
 class SpreadPoints {
   public:
-    explicit SpreadPoints(const TopoDS_Face& face) : face_(face) {
+    explicit SpreadPoints(const TopoDS_Face& face) : face_(face), trim_(face) {
         double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
         BRepTools::UVBounds(face, u1, u2, v1, v2);
         const BRepAdaptor_Surface surface(face, false);
@@ -39,10 +38,7 @@ class SpreadPoints {
     std::span<const SurfacePoint> all() const { return points_; }
 
     bool is_in_trim(std::size_t i) {
-        if (!is_in_trim_[i]) {
-            if (!trim_) trim_.emplace(face_, Precision::PConfusion());
-            is_in_trim_[i] = trim_->Perform({points_[i].u, points_[i].v}) == TopAbs_IN;
-        }
+        if (!is_in_trim_[i]) is_in_trim_[i] = trim_.containment_of(points_[i].u, points_[i].v) == Containment::inside;
         return *is_in_trim_[i];
     }
 
@@ -58,7 +54,7 @@ class SpreadPoints {
     const TopoDS_Face& face_;
     std::vector<SurfacePoint> points_;
     std::vector<std::optional<bool>> is_in_trim_;
-    std::optional<BRepTopAdaptor_FClass2d> trim_;
+    FaceTrim trim_;
     std::optional<std::optional<SurfacePoint>> inner_;
 };
 

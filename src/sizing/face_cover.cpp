@@ -3,13 +3,12 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
+#include "brep/face_trim.h"
 #include "brep/occt_geometry.h"
 #include "core/geometry.h"
 
@@ -40,6 +39,7 @@ class FaceCover {
               std::vector<SourceBall>& out)
         : face_(brep.face(face)),
           surface_(face_, false),
+          trim_(face_),
           wishes_(wishes),
           limit_(limit),
           may_be_anywhere_(
@@ -98,10 +98,7 @@ class FaceCover {
             cover(split_u ? Range{mu, u[1]} : u, split_u ? v : Range{mv, v[1]}, depth + 1);
             return;
         }
-        if (!trim_) trim_.emplace(face_, 1e-9);  // most faces ask for nothing
-        if (std::none_of(uv.begin(), uv.end(),
-                         [&](const auto& w) { return trim_->Perform(gp_Pnt2d(w[0], w[1])) != TopAbs_OUT; }))
-            return;
+        if (std::none_of(uv.begin(), uv.end(), [&](const auto& w) { return trim_.has(w[0], w[1]); })) return;
         double radius = 0;
         for (int i = 1; i < 5; ++i) radius = std::max(radius, distance(p[0].point, p[i].point));
         out_.push_back({p[0].point, radius / (1 - 2 * inset), size});
@@ -109,13 +106,13 @@ class FaceCover {
 
     const TopoDS_Face& face_;
     const BRepAdaptor_Surface surface_;
+    const FaceTrim trim_;
     const std::span<const FaceWish> wishes_;
     const double limit_;
     const bool may_be_anywhere_;
     std::vector<SourceBall>& out_;
     int halvings_ = 0;
     Range u_{}, v_{};
-    std::optional<BRepTopAdaptor_FClass2d> trim_;
 };
 
 }  // namespace

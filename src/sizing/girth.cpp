@@ -3,7 +3,6 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Tool.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "brep/face_trim.h"
 #include "brep/occt_geometry.h"
 #include "core/messages.h"
 #include "core/numbers_in_words.h"
@@ -36,11 +36,11 @@ bool goes_round(const TopoDS_Face& face, const BRepAdaptor_Surface& surface, con
     const auto begin = in_u ? surface.Value(u[0], mv) : surface.Value(mu, v[0]),
                end = in_u ? surface.Value(u[1], mv) : surface.Value(mu, v[1]);
     if (begin.Distance(end) > 2 * BRep_Tool::Tolerance(face)) return false;
-    BRepTopAdaptor_FClass2d trim(face, 1e-9);
+    const FaceTrim trim(face);
     const Range &around = in_u ? u : v, &along = in_u ? v : u;
     const auto is_on_face = [&](int ring, int place) {
         const double a = at_share(around, (place + 0.5) / places), b = at_share(along, (ring + 0.5) / rings);
-        return trim.Perform(in_u ? gp_Pnt2d(a, b) : gp_Pnt2d(b, a)) != TopAbs_OUT;
+        return in_u ? trim.has(a, b) : trim.has(b, a);
     };
     for (int ring = 0; ring < rings; ++ring) {
         int place = 0;

@@ -42,15 +42,12 @@ class Border {
             points_.push_back(to_vec3(curve_.Value(at(double(i) / pieces))));
             if (i > 0) length_ += distance(points_[points_.size() - 2], points_.back());
         }
-        for (const Vec3& p : points_) box_.add(p);
         if (!is_line()) off_polygon_ = 0.3 * length_ / pieces;
-        box_ = box_.grown(off_polygon_);
     }
 
     EdgeId edge() const { return edge_; }
     bool is_line() const { return curve_.GetType() == GeomAbs_Line; }
     double length() const { return length_; }
-    const Box& box() const { return box_; }
     /// The parameter at that share of the whole.
     double at(double share) const { return first_ + share * (last_ - first_); }
 
@@ -97,7 +94,35 @@ class Border {
     BRepAdaptor_Curve curve_;
     double first_, last_, length_ = 0, off_polygon_ = 0;
     std::vector<Vec3> points_;
-    Box box_;
+};
+
+bool have_common_end(const Brep& brep, EdgeId a, EdgeId b) {
+    const auto [first, last] = brep.ends_of(a);
+    const auto [from, to] = brep.ends_of(b);
+    return first == from || first == to || last == from || last == to;
+}
+
+/// The borders of a face, each made when it is asked for: few edges are near another one.
+class FaceBorders {
+  public:
+    FaceBorders(const Brep& brep, FaceId face) : brep_(brep) {
+        for (const FaceEdge& use : brep.uses_in(face))
+            if (!use.is_internal && !use.is_external && !brep.is_degenerated(use.edge) && !brep.is_seam(use.edge, face))
+                uses_.push_back(use);
+        made_.resize(uses_.size());
+    }
+
+    std::size_t size() const { return uses_.size(); }
+    EdgeId edge(std::size_t i) const { return uses_[i].edge; }
+    const Border& operator[](std::size_t i) {
+        if (!made_[i]) made_[i].emplace(brep_, uses_[i]);
+        return *made_[i];
+    }
+
+  private:
+    const Brep& brep_;
+    std::vector<FaceEdge> uses_;
+    std::vector<std::optional<Border>> made_;
 };
 
 /// Those of each face, made when they are asked for.
@@ -105,20 +130,15 @@ class Borders {
   public:
     explicit Borders(const Brep& brep) : brep_(brep), of_face_(brep.face_count()) {}
 
-    const std::vector<Border>& of(FaceId face) {
-        std::optional<std::vector<Border>>& borders = of_face_[face.index()];
-        if (borders) return *borders;
-        borders.emplace();
-        for (const FaceEdge& use : brep_.uses_in(face))
-            if (!use.is_internal && !use.is_external && !brep_.is_degenerated(use.edge) &&
-                !brep_.is_seam(use.edge, face))
-                borders->emplace_back(brep_, use);
+    FaceBorders& of(FaceId face) {
+        std::optional<FaceBorders>& borders = of_face_[face.index()];
+        if (!borders) borders.emplace(brep_, face);
         return *borders;
     }
 
   private:
     const Brep& brep_;
-    std::vector<std::optional<std::vector<Border>>> of_face_;
+    std::vector<std::optional<FaceBorders>> of_face_;
 };
 
 class NarrowFaceCover {
@@ -130,21 +150,16 @@ class NarrowFaceCover {
     void run() {
         for (std::size_t i = 0; i < borders_.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)
-                if (may_be_narrow(borders_[i], borders_[j]))
+                if (are_near(borders_.edge(i), borders_.edge(j)) && may_be_narrow(borders_[i], borders_[j]))
                     cover(borders_[i], borders_[j]), cover(borders_[j], borders_[i]);
     }
 
   private:
-    bool may_be_narrow(const Border& a, const Border& b) const {
-        if (!a.box().grown(widest * options_.size).overlaps(b.box())) return false;
-        if (have_common_end(a, b)) return false;
-        return !a.is_line() || !b.is_line() || runs_against(a.place(a.at(0.5)), b.place(b.at(0.5)));
+    bool are_near(EdgeId a, EdgeId b) const {
+        return brep_.box_of(a).grown(widest * options_.size).overlaps(brep_.box_of(b)) && !have_common_end(brep_, a, b);
     }
-    bool have_common_end(const Border& a, const Border& b) const { return have_common_end(a.edge(), b.edge()); }
-    bool have_common_end(EdgeId a, EdgeId b) const {
-        const auto [first, last] = brep_.ends_of(a);
-        const auto [from, to] = brep_.ends_of(b);
-        return first == from || first == to || last == from || last == to;
+    static bool may_be_narrow(const Border& a, const Border& b) {
+        return !a.is_line() || !b.is_line() || runs_against(a.place(a.at(0.5)), b.place(b.at(0.5)));
     }
     static bool runs_against(const Border::Place& a, const Border::Place& b) {
         return dot(a.direction, b.direction) <= -least_cosine;
@@ -157,7 +172,7 @@ class NarrowFaceCover {
 
     /// Along the first as far as the second runs beside it, where all of that is a strip: a lens is none.
     void cover(const Border& a, const Border& b) {
-        const Box near = b.box().grown(widest * options_.size);
+        const Box near = brep_.box_of(b.edge()).grown(widest * options_.size);
         const int count = places_along(a.length(), 4);
         const auto share = [&](int i) { return std::clamp((i + 0.5) / count, 0.0, 1.0); };
         const auto is_narrow = [&](double s) { return width_at(a, s, b, near).has_value(); };
@@ -233,10 +248,12 @@ class NarrowFaceCover {
         const Box near = Box{at.point, at.point}.grown(options_.size);
         for (const FaceId f : brep_.faces_of(edge)) {
             if (f == face_) continue;
-            for (const Border& border : all_.of(f)) {
-                if (!border.box().overlaps(near) || border.edge() == edge || have_common_end(border.edge(), edge))
+            FaceBorders& borders = all_.of(f);
+            for (std::size_t i = 0; i < borders.size(); ++i) {
+                const EdgeId other = borders.edge(i);
+                if (other == edge || !brep_.box_of(other).overlaps(near) || have_common_end(brep_, other, edge))
                     continue;
-                const std::optional<Border::Place> across = border.opposite(at.point, options_.size);
+                const std::optional<Border::Place> across = borders[i].opposite(at.point, options_.size);
                 if (across && distance(across->point, at.point) <= options_.size &&
                     dot(across->direction, at.direction) > least_parallel_cosine)
                     return false;
@@ -268,7 +285,7 @@ class NarrowFaceCover {
     const FaceId face_;
     const SizingOptions& options_;
     Borders& all_;
-    const std::vector<Border>& borders_;
+    FaceBorders& borders_;
     std::vector<SourceBall>& out_;
 };
 

@@ -4,10 +4,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
-#include <BRepTopAdaptor_FClass2d.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <Bnd_Box2d.hxx>
 #include <ElCLib.hxx>
 #include <ElSLib.hxx>
 #include <Extrema_ExtPC.hxx>
@@ -17,12 +14,11 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
-#include <TopoDS_Iterator.hxx>
-#include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "brep/face_trim.h"
 #include "brep/occt_geometry.h"
 
 namespace featuremesh {
@@ -35,59 +31,9 @@ struct UvBox {
     double u_min = 0, u_max = 0, v_min = 0, v_max = 0;
 };
 
-/// The trim of a face with many wires, such as a plate with hundreds of holes: only the wires around a point are asked.
-class WireTrim {
-  public:
-    static bool pays_for(const TopoDS_Face& face) { return face.NbChildren() >= 16; }
-
-    explicit WireTrim(const TopoDS_Face& face) {
-        TopLoc_Location place;
-        const Handle(Geom_Surface)& surface = BRep_Tool::Surface(face, place);
-        for (TopoDS_Iterator it(face.Oriented(TopAbs_FORWARD)); it.More(); it.Next()) {
-            const TopAbs_Orientation orientation = it.Value().Orientation();
-            if (it.Value().ShapeType() != TopAbs_WIRE ||
-                (orientation != TopAbs_FORWARD && orientation != TopAbs_REVERSED))
-                continue;
-            Wire& wire = wires_.emplace_back();
-            BRep_Builder builder;
-            builder.MakeFace(wire.face, surface, place, BRep_Tool::Tolerance(face));
-            builder.Add(wire.face, it.Value());
-            Bnd_Box2d box;
-            BRepTools::AddUVBounds(face, TopoDS::Wire(it.Value()), box);
-            box.Get(wire.box.u_min, wire.box.v_min, wire.box.u_max, wire.box.v_max);
-        }
-        const auto area = [](const Wire& w) { return (w.box.u_max - w.box.u_min) * (w.box.v_max - w.box.v_min); };
-        const auto outer = std::max_element(wires_.begin(), wires_.end(),
-                                            [&](const Wire& a, const Wire& b) { return area(a) < area(b); });
-        std::iter_swap(wires_.begin(), outer);
-    }
-
-    bool contains(const Uv& uv) {
-        if (!is_near(wires_.front(), uv)) return false;
-        return std::all_of(wires_.begin(), wires_.end(), [&](Wire& wire) {
-            if (!is_near(wire, uv)) return true;
-            if (!wire.trim) wire.trim = std::make_unique<BRepTopAdaptor_FClass2d>(wire.face, 1e-9);
-            return wire.trim->Perform(gp_Pnt2d(uv[0], uv[1])) != TopAbs_OUT;
-        });
-    }
-
-  private:
-    struct Wire {
-        TopoDS_Face face;  ///< with this wire alone
-        UvBox box;
-        std::unique_ptr<BRepTopAdaptor_FClass2d> trim;
-    };
-    static bool is_near(const Wire& wire, const Uv& uv) {
-        const double margin = 1e-6 * (1 + wire.box.u_max - wire.box.u_min + wire.box.v_max - wire.box.v_min);
-        return uv[0] > wire.box.u_min - margin && uv[0] < wire.box.u_max + margin && uv[1] > wire.box.v_min - margin &&
-               uv[1] < wire.box.v_max + margin;
-    }
-    std::vector<Wire> wires_;  // the outer one first
-};
-
 /// What is kept per face; built when the face is first asked for.
 struct SurfaceData {
-    explicit SurfaceData(const TopoDS_Face& f) : face(f), adaptor(f, Standard_False) {
+    explicit SurfaceData(const TopoDS_Face& f) : face(f), adaptor(f, Standard_False), trim(f) {
         u_period = adaptor.IsUPeriodic() ? adaptor.UPeriod() : 0;
         v_period = adaptor.IsVPeriodic() ? adaptor.VPeriod() : 0;
     }
@@ -102,8 +48,7 @@ struct SurfaceData {
     BRepAdaptor_Surface adaptor;
     mutable std::optional<UvBox> box;  ///< few who ask for a face need its trim
     double u_period = 0, v_period = 0;
-    std::unique_ptr<BRepTopAdaptor_FClass2d> trim;
-    std::unique_ptr<WireTrim> wires;
+    FaceTrim trim;
     Handle(ShapeAnalysis_Surface) global;
     std::unique_ptr<Extrema_ExtPS> nearest_points;  ///< with the grid of its surface, which takes longer than a search
 };
@@ -378,14 +323,8 @@ std::optional<OnEntity> Projector::nearest_by_steps(Entity entity, const Vec3& p
 
 bool Projector::is_inside_trim(FaceId face, std::array<double, 2> uv) const {
     SurfaceData& s = data_->surface(face);
-    if (s.u_period == 0 && s.v_period == 0 && WireTrim::pays_for(s.face)) {
-        if (!s.wires) s.wires = std::make_unique<WireTrim>(s.face);
-        return s.wires->contains(uv);
-    }
-    if (!s.trim) s.trim = std::make_unique<BRepTopAdaptor_FClass2d>(s.face, 1e-9);
     uv = in_period(s, uv, {});  // the kernel would take one period after the other
-    const TopAbs_State state = s.trim->Perform(gp_Pnt2d(uv[0], uv[1]));
-    return state == TopAbs_IN || state == TopAbs_ON;
+    return s.trim.has(uv[0], uv[1]);
 }
 
 Vec3 Projector::normal(FaceId face, std::array<double, 2> uv) const {

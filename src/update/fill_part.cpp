@@ -236,7 +236,6 @@ class SizeLoop {
           rounds_(rounds),
           context_(context) {
         options_.volume.smallest_asked = std::max(options_.volume.smallest_asked, sizing.smallest());
-        if (!kept_.merged) kept_.merged = std::make_shared<const MergedEntities>(brep, options_.ignored_below);
     }
 
     std::variant<Filled, Message> run() {
@@ -262,7 +261,7 @@ class SizeLoop {
             // where no second filling can follow, the kept mesh is moved instead of copied
             const bool may_be_last = is_spent_ = keeps_ && options_.order == 1;
             SurfaceResult surface = fill_surface(brep_, field_, may_be_last ? std::move(kept_.mesh) : kept_.mesh,
-                                                 context_, {.known = kept_.merged.get(), .narrow = narrow_});
+                                                 context_, {.known = merged_.get(), .narrow = narrow_});
             attempt.has_narrow_faces = surface.report.has_opposite_nodes;
             attempt.may_be_halved = surface.report.may_be_halved;
             is_spent_ = may_be_last && !may_divide_otherwise(attempt);
@@ -403,6 +402,7 @@ class SizeLoop {
         if (!best_) return attempt.refusal;
         best_->sizing = plain_;
         best_->refines_narrow_faces = options_.sizing.refines_narrow_faces;
+        best_->merged = merged_;
         return std::move(*best_);
     }
 
@@ -412,6 +412,8 @@ class SizeLoop {
     const bool keeps_ = !kept_.mesh.points.empty();
     bool is_spent_ = false;  ///< what is kept went into the last filling
     MeshOptions options_;
+    const std::shared_ptr<const MergedEntities> merged_ =
+        kept_.merged ? kept_.merged : std::make_shared<const MergedEntities>(brep_, options_.ignored_below);
     std::vector<SizeSource> sources_, shorter_;
     std::vector<Round>& rounds_;
     RunContext& context_;

@@ -2,6 +2,7 @@
 // The one operation of full meshes and updates alike: fills whatever of a part is not meshed yet.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <variant>
@@ -16,6 +17,7 @@
 #include "mesh/validation.h"
 #include "sizing/sizing_field.h"
 #include "surface/fill_surface.h"
+#include "surface/merged_entities.h"
 #include "update/keep.h"
 #include "update/options.h"
 #include "update/size_request.h"
@@ -35,9 +37,10 @@ struct Filled {
     std::vector<TetId> released = {};
     std::vector<NodeId> moved = {};
     std::vector<Vec3> used_active = {};
-    std::optional<SizingField> sizing = {};  ///< as asked; what the mesher itself made shorter is not in it
-    std::vector<SizeSource> shorter = {};    ///< edges than asked, where the mesher needed them
-    bool refines_narrow_faces = false;       ///< the sizing does
+    std::shared_ptr<const MergedEntities> merged = {};  ///< as they were filled
+    std::optional<SizingField> sizing = {};             ///< as asked; what the mesher itself made shorter is not in it
+    std::vector<SizeSource> shorter = {};               ///< edges than asked, where the mesher needed them
+    bool refines_narrow_faces = false;                  ///< the sizing does
     /// Why some sides of 10-node tets are straight on a curved face (StraightSides); empty where none are.
     Message why_straight = {};
     std::size_t straight_sides = 0;  ///< on the shape, but straight

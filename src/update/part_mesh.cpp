@@ -339,7 +339,7 @@ class Stages {
         Mesh& mesh = filled_->mesh;
         record_mesh(mesh, *part_, *sizing_, options_, context_, report_);
         record_fill(*filled_, report_);
-        std::vector<SharedNode> shared = shared_nodes(mesh, part_->brep, options_.ignored_below);
+        std::vector<SharedNode> shared = shared_nodes(mesh, part_->brep, *filled_->merged, options_.ignored_below);
         auto now = std::make_shared<PartMesh>(
             PartMesh{std::move(*part_), std::move(document_), options_, std::move(*sizing_), std::move(mesh),
                      std::move(origin_.nodes), std::move(origin_.elements), std::move(filled_->used_active),
@@ -528,7 +528,8 @@ std::shared_ptr<const PartMesh> restore_part(RawDocument document, const MeshOpt
     if (!broken.empty()) throw StateError(say<Code::saved_mesh_misfits>(broken.front()));
     const SizingField sizing = make_sizing(part.brep, options.sizing, adopted_sizes, context);
     const std::size_t nodes = mesh.node_count(), elements = element_count(mesh, part.brep.dimension());
-    std::vector<SharedNode> shared = shared_nodes(mesh, part.brep, options.ignored_below);
+    std::vector<SharedNode> shared =
+        shared_nodes(mesh, part.brep, MergedEntities(part.brep, options.ignored_below), options.ignored_below);
     return std::make_shared<const PartMesh>(PartMesh{std::move(part),
                                                      std::move(document),
                                                      options,

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "core/sort_once.h"
-#include "surface/merged_entities.h"
 #include "surface/projection.h"
 
 namespace featuremesh {
@@ -15,10 +14,10 @@ namespace {
 
 class MergedNodes {
   public:
-    MergedNodes(const Mesh& mesh, const Brep& brep, double ignored_below)
+    MergedNodes(const Mesh& mesh, const Brep& brep, const MergedEntities& merged, double ignored_below)
         : mesh_(mesh),
           brep_(brep),
-          merged_(brep, ignored_below),
+          merged_(merged),
           projector_(brep),
           reach_(2 * std::max(ignored_below, brep.tolerances().negligible())) {}
 
@@ -95,7 +94,7 @@ class MergedNodes {
 
     const Mesh& mesh_;
     const Brep& brep_;
-    const MergedEntities merged_;
+    const MergedEntities& merged_;
     const Projector projector_;
     const double reach_;                        ///< mm
     std::vector<NodeId> at_vertex_;             ///< by vertex
@@ -104,8 +103,9 @@ class MergedNodes {
 
 }  // namespace
 
-std::vector<SharedNode> shared_nodes(const Mesh& mesh, const Brep& brep, double ignored_below) {
-    return MergedNodes(mesh, brep, ignored_below).found();
+std::vector<SharedNode> shared_nodes(const Mesh& mesh, const Brep& brep, const MergedEntities& merged,
+                                     double ignored_below) {
+    return MergedNodes(mesh, brep, merged, ignored_below).found();
 }
 
 }  // namespace featuremesh

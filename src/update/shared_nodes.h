@@ -7,6 +7,7 @@
 #include "brep/brep.h"
 #include "core/ids.h"
 #include "mesh/mesh.h"
+#include "surface/merged_entities.h"
 
 namespace featuremesh {
 
@@ -16,9 +17,10 @@ struct SharedNode {
     NodeId node;
 };
 
-/// Those of all that is merged (see MergedEntities) where details below so many mm are ignored, by ascending entity and
+/// Those of all that is merged, where details below so many mm are ignored, by ascending entity and
 /// node: of a vertex, the node that it shares; of an edge, the nodes at its ends and those of other edges along it; of
 /// a face without triangles, the nodes of its border. None for an edge or a face that has elements all over.
-std::vector<SharedNode> shared_nodes(const Mesh& mesh, const Brep& brep, double ignored_below);
+std::vector<SharedNode> shared_nodes(const Mesh& mesh, const Brep& brep, const MergedEntities& merged,
+                                     double ignored_below);
 
 }  // namespace featuremesh

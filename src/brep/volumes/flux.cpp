@@ -192,11 +192,12 @@ double flux_of_plane(const TopoDS_Face& face, const BRepAdaptor_Surface& surface
     gp_Pnt origin;
     gp_Vec du, dv;
     surface.D1(0, 0, origin, du, dv);
-    const Vec3 o = box_of(face).center(), normal = normalized(to_vec3(du.Crossed(dv)));
+    const std::vector<TopoDS_Edge> border = border_of(face);
+    if (border.empty()) return 0;
+    const std::vector<BRepAdaptor_Curve> curves(border.begin(), border.end());
+    const Vec3 o = to_vec3(end_of(curves.front(), true)), normal = normalized(to_vec3(du.Crossed(dv)));
     const double height = dot(to_vec3(origin) - apex, normal);
     double across_gaps = 0;
-    const std::vector<TopoDS_Edge> border = border_of(face);
-    const std::vector<BRepAdaptor_Curve> curves(border.begin(), border.end());
     for (const Gap& gap :
          gaps_of_border(border, [&](std::size_t i, bool first) { return to_vec3(end_of(curves[i], first)); }))
         across_gaps += dot(cross(gap.from - o, gap.to - gap.from), normal) * height / 6;
