@@ -60,6 +60,7 @@ class Keeper {
         drop_near_changes();
         keep_surfaces();
         place_on_entities();
+        clear_round_new_vertices();
         clear_between_motions();
         surfaces_.settle(motions_);
         context_.check_cancelled();
@@ -243,6 +244,30 @@ class Keeper {
         for (std::size_t n = 0; n < node_count(); ++n) {
             if (n % 4096 == 0) context_.check_cancelled();
             if (motions_[n] != dropped && !(place(n) && is_meshed(entities_.entities()[n]))) motions_[n] = dropped;
+        }
+    }
+
+    // A vertex may be new where nothing changed that is worth the name: a feature has come to touch an edge there. It
+    // needs a node, and room for it.
+    void clear_round_new_vertices() {
+        const Brep& brep = in_.new_brep;
+        const std::vector<VertexId>& vertex_of = entities_.merged()->vertex_of;
+        std::vector<char> has_node(brep.vertex_count(), 0);
+        for (std::size_t n = 0; n < in_.old_mesh.corner_count; ++n)
+            if (const Entity on = entities_.entities()[n]; motions_[n] != dropped && on.dim == 0)
+                has_node[vertex_of[std::size_t(on.index)].index()] = 1;
+        std::vector<Vec3> bare;
+        for (std::size_t v = 0; v < has_node.size(); ++v)
+            if (!has_node[v] && vertex_of[v] == VertexId(v) && is_meshed(entity_of(VertexId(v))))
+                bare.push_back(brep.point_of(VertexId(v)));
+        if (bare.empty()) return;
+        const double widest = in_.margin * in_.new_sizing.largest();
+        const PointGrid grid(std::move(bare), widest);
+        for (std::size_t n = 0; n < in_.old_mesh.corner_count; ++n) {
+            const Vec3 p = nodes_.at(n);
+            if (motions_[n] != dropped && grid.has_within(p, widest) &&
+                grid.has_within(p, in_.margin * in_.new_sizing.at(p)))
+                drop(n, false);
         }
     }
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "update/kept_entities.h"
 
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <algorithm>
 
 #include "catch.h"
 #include "part_documents.h"
+#include "part_meshes.h"
 #include "update/part_mesh.h"
 
 using namespace featuremesh;
@@ -145,4 +149,26 @@ TEST_CASE("under the motion of a hole its nodes are placed on the moved hole") {
         ++placed;
     }
     CHECK(placed > 20);
+}
+
+TEST_CASE("a vertex that comes to touch an edge gets its node, and the rest stays") {
+    const auto block = [](double touching_at) {
+        PartDocument document;
+        document.box("Block", {0, 0, 0}, {40, 30, 10});
+        if (touching_at == 0) return document.finish();
+        BRepBuilderAPI_MakePolygon corners;  // on the block's side, one of them on the upright edge
+        for (const auto& [y, z] : {std::pair{4.6e-7, touching_at}, {3.0, 7.0}, {3.0, 8.0}}) corners.Add({0, y, z});
+        corners.Close();
+        const TopoDS_Shape wedge =
+            BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(corners.Wire()).Face(), gp_Vec(3, 0, 0)).Shape();
+        return document.add("Wedge", "Part::Feature", wedge).fuse("Part", "Block", "Wedge").finish();
+    };
+    const auto old = meshed(block(0), options_of(0.8)).part_mesh;
+    for (const double at : {9.998, 9.4, 5.0}) {
+        CAPTURE(at);
+        const auto [now, report] = updated(*old, block(at), options_of(0.8));
+        CHECK(now->part.brep.face_count() == 7);
+        CHECK(report.fallbacks.empty());
+        CHECK(report.kept_nodes_share > 0.8);
+    }
 }
