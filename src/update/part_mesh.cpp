@@ -24,6 +24,7 @@
 #include "sizing/lost_sizes.h"
 #include "sizing/size_zone.h"
 #include "sizing/zone_notes.h"
+#include "surface/merged_entities.h"
 #include "update/adopted_sizes.h"
 #include "update/fill_part.h"
 #include "update/foreign_fit.h"
