@@ -252,13 +252,13 @@ class Keeper {
     void clear_round_new_vertices() {
         const Brep& brep = in_.new_brep;
         const std::vector<VertexId>& vertex_of = entities_.merged()->vertex_of;
-        std::vector<char> has_node(brep.vertex_count(), 0);
-        for (std::size_t n = 0; n < in_.old_mesh.corner_count; ++n)
-            if (const Entity on = entities_.entities()[n]; motions_[n] != dropped && on.dim == 0)
-                has_node[vertex_of[std::size_t(on.index)].index()] = 1;
+        std::vector<char> is_old(brep.vertex_count(), 0);
+        for (const CarriedRegion& region : nodes_.regions())
+            for (const VertexId v : region.new_vertex_of)
+                if (v.is_valid()) is_old[vertex_of[v.index()].index()] = 1;
         std::vector<Vec3> bare;
-        for (std::size_t v = 0; v < has_node.size(); ++v)
-            if (!has_node[v] && vertex_of[v] == VertexId(v) && is_meshed(entity_of(VertexId(v))))
+        for (std::size_t v = 0; v < is_old.size(); ++v)
+            if (!is_old[v] && vertex_of[v] == VertexId(v) && is_meshed(entity_of(VertexId(v))))
                 bare.push_back(brep.point_of(VertexId(v)));
         if (bare.empty()) return;
         const double widest = in_.margin * in_.new_sizing.largest();

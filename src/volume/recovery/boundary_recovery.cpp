@@ -13,6 +13,7 @@
 #include "volume/recovery/local_recovery.h"
 #include "volume/recovery/relocate_points.h"
 #include "volume/recovery/seeds_in_the_way.h"
+#include "volume/recovery/tetgen.h"
 
 namespace featuremesh {
 
@@ -35,6 +36,9 @@ bool are_many(std::span<const int> missing, const Cavity& cavity) {
     return static_cast<double>(missing.size()) > many_missing * static_cast<double>(cavity.facets.size());
 }
 
+/// Flips would take a second and more for as many.
+constexpr std::size_t very_many_missing = 1000;
+
 /// All its nodes lie in one plane.
 bool is_flat(const CavityFill& fill) { return fill.triangulation.tets.empty(); }
 
@@ -45,8 +49,10 @@ const std::vector<BoundaryRecovery::Means>& BoundaryRecovery::means_in_order() {
         &BoundaryRecovery::keep_whole_fill,     &BoundaryRecovery::release_kept_tets,
         &BoundaryRecovery::refuse_flat_cavity,  &BoundaryRecovery::change_diagonals,
         &BoundaryRecovery::refuse_open_surface, &BoundaryRecovery::halve_crossing,
-        &BoundaryRecovery::flip_if_many,        &BoundaryRecovery::constrain,
-        &BoundaryRecovery::flip_if_few,         &BoundaryRecovery::halve_stuck,
+        &BoundaryRecovery::ask_tetgen_first,    &BoundaryRecovery::flip_if_many,
+        &BoundaryRecovery::constrain_locally,   &BoundaryRecovery::constrain,
+        &BoundaryRecovery::flip_if_few,         &BoundaryRecovery::ask_tetgen_last,
+        &BoundaryRecovery::halve_stuck,
     };
     return means;
 }
@@ -197,7 +203,8 @@ std::optional<Obstacle> BoundaryRecovery::mend(int round) {
 }
 
 std::optional<Obstacle> BoundaryRecovery::recover(std::size_t i, int round) {
-    Gap gap{cavities[i], fills[i], round, seeds_of(cavities[i], fills[i]), fills[i].places.missing, false, {}, {}};
+    Gap gap{cavities[i], fills[i], round, seeds_of(cavities[i], fills[i]), fills[i].places.missing, false,
+            false,       {},       {}};
     gap.are_many = are_many(gap.stuck, gap.cavity);
     if (!gap.fill.is_complete()) log("triangles are missing", gap.stuck.size());
     for (const Means means : means_in_order())
@@ -266,16 +273,38 @@ bool BoundaryRecovery::halve_crossing(Gap& gap) {
 
 bool BoundaryRecovery::flip_if_many(Gap& gap) { return gap.are_many && flip(gap); }
 
-bool BoundaryRecovery::constrain(Gap& gap) {
+bool BoundaryRecovery::constrain_locally(Gap& gap) {
     if (std::exchange(last_constraining_, gap.round) != gap.round) ++constraining_rounds_;
-    std::optional<ConstrainedTriangulation> constrained;
-    if (constraining_rounds_ <= most_constraining_rounds) constrained = recover_locally(gap.cavity, gap.fill, context_);
-    if (!constrained)
-        constrained = constrained_delaunay(gap.cavity, gap.seeds, gap.fill.places.missing.size(), context_);
-    if (!constrained->failed.empty()) gap.failed = std::move(constrained->failed);
-    if (constrained->is_given_up || !gap.failed.empty()) return false;
-    log("points that constraints added", constrained->split.added.size());
-    relocate(gap, std::move(*constrained));
+    if (constraining_rounds_ > most_constraining_rounds) return false;
+    auto constrained = recover_locally(gap.cavity, gap.fill, context_);
+    return constrained && take(gap, std::move(*constrained));
+}
+
+bool BoundaryRecovery::constrain(Gap& gap) {
+    return take(gap, constrained_delaunay(gap.cavity, gap.seeds, gap.fill.places.missing.size(), context_));
+}
+
+/// Not where more points were added than there were: they would never find room.
+bool BoundaryRecovery::take(Gap& gap, ConstrainedTriangulation constrained) {
+    constexpr std::size_t spare = 1000;
+    if (!constrained.failed.empty()) gap.failed = std::move(constrained.failed);
+    const std::size_t added = constrained.split.added.size();
+    if (constrained.is_given_up || !gap.failed.empty() || added > gap.cavity.points.size() + spare) return false;
+    log("points that constraints added", added);
+    relocate(gap, std::move(constrained));
+    return true;
+}
+
+bool BoundaryRecovery::ask_tetgen_first(Gap& gap) { return gap.stuck.size() > very_many_missing && ask_tetgen(gap); }
+bool BoundaryRecovery::ask_tetgen_last(Gap& gap) { return !gap.is_asked && ask_tetgen(gap); }
+
+bool BoundaryRecovery::ask_tetgen(Gap& gap) {
+    gap.is_asked = true;
+    std::optional<CavityFill> fill = recover_by_tetgen(gap.cavity, gap.seeds, context_);
+    if (!fill) return false;
+    log("points that TetGen added", fill->relocated->size());
+    report_.recovery_points += fill->relocated->size();
+    finished_.push_back({gap.cavity.nodes, std::move(*fill)});
     return true;
 }
 

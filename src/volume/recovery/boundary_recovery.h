@@ -57,6 +57,7 @@ class BoundaryRecovery {
         std::vector<Vec3> seeds;
         std::vector<int> stuck;   ///< facets that flips have not brought back; at first all that are missing
         bool are_many;            ///< so that constraints would add points by the thousand
+        bool is_asked;            ///< TetGen did not bring them back
         std::vector<int> failed;  ///< facets that constraints have not brought back, if it is known which
         std::optional<Obstacle> obstacle;
     };
@@ -92,12 +93,17 @@ class BoundaryRecovery {
     bool change_diagonals(Gap& gap);
     bool refuse_open_surface(Gap& gap);
     bool halve_crossing(Gap& gap);
+    bool ask_tetgen_first(Gap& gap);
     bool flip_if_many(Gap& gap);
+    bool ask_tetgen_last(Gap& gap);
+    bool constrain_locally(Gap& gap);
     bool constrain(Gap& gap);
     bool flip_if_few(Gap& gap);
     bool halve_stuck(Gap& gap);
 
     bool flip(Gap& gap);
+    bool ask_tetgen(Gap& gap);
+    bool take(Gap& gap, ConstrainedTriangulation constrained);
     void relocate(Gap& gap, ConstrainedTriangulation constrained);
     bool halve(Gap& gap, std::span<const int> facets, Obstacle obstacle);
     void release(TetId tet);
