@@ -206,7 +206,7 @@ class Improver {
     /// Whether the plan is the one that would be made now, at the turn of `first`: nothing that it depends on has
     /// changed, and no dear operation was left out that may be asked now.
     bool holds(const Plan& plan, const std::vector<Candidate>& queue, std::size_t i, std::size_t first) const {
-        if (plan.place != i || mesh_.has_changed(plan.footprint, plan.made_at)) return false;
+        if (plan.place != i || mesh_.has_changed(plan.footprint.tets(), plan.made_at)) return false;
         if (plan.is_cut_short && may_be_dear(i, first)) return false;
         const Tet& v = complex_.tets[queue[i].tet];
         return v[0] < 0 || std::none_of(v.begin(), v.end(), [&](int c) {

@@ -207,8 +207,7 @@ std::span<const int> LocalMesh::apply(const Change& change) {
     return changed_;
 }
 
-bool LocalMesh::has_changed(const Footprint& footprint, std::uint32_t since) const {
-    const auto tets = footprint.tets();
+bool LocalMesh::has_changed(std::span<const int> tets, std::uint32_t since) const {
     return since < now_ && std::any_of(tets.begin(), tets.end(), [&](int t) { return tet_changed_at_[t] > since; });
 }
 

@@ -87,8 +87,8 @@ class LocalMesh {
     std::uint32_t changed_at(int vertex) const { return changed_at_[static_cast<std::size_t>(vertex)]; }
     /// A tet has changed when it has been replaced or bent.
     std::uint32_t tet_changed_at(int tet) const { return tet_changed_at_[static_cast<std::size_t>(tet)]; }
-    /// Whether a tet of the footprint has been replaced or bent since then.
-    bool has_changed(const Footprint& footprint, std::uint32_t since) const;
+    /// Whether one of these tets has been replaced or bent since then.
+    bool has_changed(std::span<const int> tets, std::uint32_t since) const;
     bool has_moved(int vertex) const { return has_moved_[static_cast<std::size_t>(vertex)] != 0; }
 
   private:

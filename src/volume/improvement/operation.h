@@ -46,6 +46,7 @@ class Footprint {
     void add(std::span<const int> tets) {
         if (is_kept_) tets_.insert(tets_.end(), tets.begin(), tets.end());
     }
+    bool is_kept() const { return is_kept_; }
     std::span<const int> tets() const { return tets_; }  ///< some of them more than once
 
   private:
@@ -53,15 +54,23 @@ class Footprint {
     std::vector<int> tets_;
 };
 
-/// Calls visit(ring) for the inner edges of the tet. Whatever rings are looked at join the footprint.
-template <class Visit>
-void visit_rings(const TetComplex& complex, int tet, Footprint& footprint, const Visit& visit) {
+/// Calls visit(ring) for the inner edges of the tet where is_due(from, to) says so of their vertices. Whatever rings
+/// are looked at join the footprint.
+template <class IsDue, class Visit>
+void visit_rings(const TetComplex& complex, int tet, Footprint& footprint, const IsDue& is_due, const Visit& visit) {
     for (const auto& [from, to] : edge_corners) {
+        if (!is_due(complex.tets[tet][from], complex.tets[tet][to])) continue;
         EdgeRing ring;
         const bool is_inside = find_ring(complex, tet, from, to, ring);
         footprint.add(ring.all_tets());
         if (is_inside) visit(ring);
     }
+}
+
+template <class Visit>
+void visit_rings(const TetComplex& complex, int tet, Footprint& footprint, const Visit& visit) {
+    visit_rings(
+        complex, tet, footprint, [](int, int) { return true; }, visit);
 }
 
 class Operation {
