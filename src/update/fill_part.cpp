@@ -297,11 +297,11 @@ class SizeLoop {
     }
 
     /// The first filling counts, as it has the lengths that were asked for. Rounds that do not halve the straight sides
-    /// are in vain.
+    /// are in vain, and none follows one that leaves more of them.
     void offer_stand_in(Attempt& attempt) {
         const std::size_t sides = attempt.stand_in->straight_sides;
-        const bool gains = !stand_in_ || 2 * sides <= fewest_straight_;
-        rounds_in_vain_ = gains ? 0 : rounds_in_vain_ + 1;
+        const bool gains = !stand_in_ || 2 * sides <= fewest_straight_, loses = stand_in_ && sides > fewest_straight_;
+        rounds_in_vain_ = gains ? 0 : loses ? most_rounds_in_vain : rounds_in_vain_ + 1;
         if (gains) fewest_straight_ = sides;
         if (!stand_in_) stand_in_ = std::move(attempt.stand_in);
     }
