@@ -14,7 +14,7 @@ BUILD_PACKAGES = (
     "libgmp-dev", "libmpfr-dev", "libocct-foundation-dev", "libocct-modeling-data-dev", "libocct-modeling-algorithms-dev",
     "libocct-visualization-dev",  # holds a header that OCCT's modelling headers include
 )
-RUN_PACKAGES = ("freecad-python3", "python3-numpy", "calculix-ccx")
+RUN_PACKAGES = ("freecad-python3", "python3-numpy", "calculix-ccx", "tetgen")
 PICTURE_PACKAGES = ("python3-vtk9", "python3-matplotlib", "xvfb", "xauth", "libgl1-mesa-dri")
 PEER_PACKAGES = ("gmsh",)
 READER_PACKAGES = ("python3-meshio", "python3-h5py")
@@ -39,7 +39,7 @@ NOT_EVERYWHERE = ("calculix-ccx", "clang-format-14", *STYLE_OF_1_1_PACKAGES)
 
 REASONS = (
     (BUILD_PACKAGES, "to build the engine"),
-    (RUN_PACKAGES, "to run in FreeCAD and to solve with CalculiX"),
+    (RUN_PACKAGES, "to run in FreeCAD, to solve with CalculiX and to mesh parts of needles with TetGen"),
     (PICTURE_PACKAGES, "to draw the pictures of reports"),
     (PEER_PACKAGES, "to compare with another mesher"),
     (READER_PACKAGES, "to read exported files back in tests"),
