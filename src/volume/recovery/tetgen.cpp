@@ -193,8 +193,9 @@ std::optional<CavityFill> inside_regions(const Cavity& cavity, const CavityFill&
 
 std::optional<CavityFill> recover_by_tetgen(const Cavity& cavity, std::span<const Vec3> seeds, RunContext& context) {
     const std::string path = program();
+    if (path.empty()) return {};
     const TemporaryFolder folder;
-    if (path.empty() || !folder.exists()) return {};
+    if (!folder.exists()) return {};
     const std::size_t given = cavity.points.size() + seeds.size();
     constexpr unsigned least_seconds = 60, points_per_second = 200;
     const auto bytes = run_isolated(

@@ -8,7 +8,7 @@ from . import references
 from .messages import said
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-_THERE_AGAIN = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text}: {now:entities} is there again, it refers to that as before")
+_THERE_AGAIN = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text}: there again, and referred to as before: {now:entities}")
 
 
 class LostReferences:

@@ -1773,8 +1773,8 @@
       <translation>{object:text}: {features:count} {features:Formelement|Formelemente} in {pieces:count} {pieces:Stück|Stücken}, Volumen {volume:text} (FreeCAD: {other:text})</translation>
     </message>
     <message>
-      <source>{object:text}: {now:entities} is there again, it refers to that as before</source>
-      <translation>{object:text}: {now:entities} gibt es wieder, der Bezug ist wie vorher</translation>
+      <source>{object:text}: there again, and referred to as before: {now:entities}</source>
+      <translation>{object:text}: wieder da, der Bezug ist wie vorher: {now:entities}</translation>
     </message>
     <message>
       <source>{one:entities} and {other:entities} touch each other where no edge joins them: the part has no thickness there, the smallest angle of an element is {angle:number} degrees, and results there are poor. Move one of the two, so that they cut each other or are apart.</source>
