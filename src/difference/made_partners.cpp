@@ -29,13 +29,18 @@ class PieceMatcher {
         const FeatureTree &old_tree = was_.state().tree, &new_tree = is_.state().tree;
         for (std::size_t f = 0; f < old_tree.features.size(); ++f) {
             const auto n = new_tree.find(old_tree.features[f].name);
-            if (n && old_tree.features[f].role != Role::dress_up && !new_tree[*n].suppressed)
+            if (n && makes_faces_in_order(old_tree.features[f]) && !new_tree[*n].suppressed)
                 match_feature(FeatureId(f), *n);
         }
         return std::move(partners_);
     }
 
   private:
+    /// Fillets and chamfers need not: what they make depends on which edges are there.
+    static bool makes_faces_in_order(const Feature& feature) {
+        return feature.role != Role::dress_up || feature.type.ends_with("Thickness") || feature.type.ends_with("Draft");
+    }
+
     const MadePiece& old_piece(int p) const { return was_.pieces()[std::size_t(p)]; }
     const MadePiece& new_piece(int p) const { return is_.pieces()[std::size_t(p)]; }
     const MadeFace& old_face(int f) const { return was_.faces()[std::size_t(f)]; }

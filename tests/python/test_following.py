@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Loads stay on the faces that were chosen, through every kind of edit; what is lost is taken away and said, and nothing else is said."""
+import math
 import os
 import unittest
 from unittest import mock
@@ -103,7 +104,7 @@ class OnTheBracket(unittest.TestCase):
                 self.assertEqual(now[name], wanted)
         gone = {name for name, label in self.before.items() if label & lost}
         self.said |= {line.split()[0] for line in warnings_of(self.mesh) if "is gone" in line}
-        self.said -= {line.split(":")[0] for line in warnings_of(self.mesh) if "is there again" in line}
+        self.said -= {line.split(":")[0] for line in warnings_of(self.mesh) if "there again" in line}
         self.assertEqual(self.said, gone, warnings_of(self.mesh))
         self.assertEqual({obj.Name for obj, _ in references.unmended(self.analysis)}, gone)
 
@@ -479,3 +480,37 @@ class Blocks(BlockParts):
             self.assertAlmostEqual(self.area_of(body, obj), 1800)
         groups = groups_of(self.mesh)
         self.assertEqual(groups["Clamp_Nodes"], set().union(*(groups[name + "_Nodes"] for _, name in names_of(group))))
+
+    def test_a_thicker_wall(self):
+        """The load on a face that the thickness made goes with it, inwards and outwards."""
+        for is_inward, before, after in ((True, 2, 3), (False, -2, -3)):
+            with self.subTest(is_inward=is_inward):
+                body = self.block()
+                block, top = body.Tip, self.face_at(body, "Z", 20)
+                thickness = body.newObject("PartDesign::Thickness", "Wall")
+                thickness.Base, thickness.Value, thickness.Reversed = (block, [top]), 2, is_inward
+                body.Tip = thickness
+                self.document.recompute()
+                loads = {axis: self.load(body, self.face_at(body, axis, before)) for axis in "YZ"}
+                self.mesh_of(body)
+                thickness.Value = 3
+                self.document.recompute()
+                for axis, load in loads.items():
+                    self.assertEqual(names_of(load), [(body.Name, self.face_at(body, axis, after))])
+                self.assertEqual(warnings_of(self.mesh), [])
+
+    def test_a_steeper_draft(self):
+        body = self.block()
+        block, side, bottom = body.Tip, self.face_at(body, "X", 0), self.face_at(body, "Z", 0)
+        draft = body.newObject("PartDesign::Draft", "Slope")
+        draft.Base, draft.NeutralPlane, draft.Angle = (block, [side]), (block, [bottom]), 5
+        body.Tip = draft
+        self.document.recompute()
+        sloping, = ["Face%d" % n for n, face in enumerate(body.Shape.Faces, 1) if 0.01 < abs(face.normalAt(0, 0).z) < 0.5]
+        load = self.load(body, sloping)
+        self.mesh_of(body)
+        draft.Angle = 8
+        self.document.recompute()
+        (_, name), = names_of(load)
+        self.assertAlmostEqual(abs(body.Shape.getElement(name).normalAt(0, 0).z), math.sin(math.radians(8)), places=6)
+        self.assertEqual(warnings_of(self.mesh), [])
