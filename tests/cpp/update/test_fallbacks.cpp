@@ -2,6 +2,7 @@
 // What an update does when what it kept cannot be filled around: it keeps less, and at last nothing, and says so.
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "catch.h"
 #include "core/errors.h"
@@ -128,7 +129,8 @@ TEST_CASE("no other mesh is made where a step fails for want of time or memory")
             if (step == "volume" && ++asked == 1) throw MeshError(why);
             return true;
         };
-        const auto says_why = Catch::Matchers::Contains(why.in_english());
+        const std::string words = why.in_english();
+        const auto says_why = Catch::Matchers::Contains(words);
         CHECK_THROWS_WITH(mesh_part(plate_with_ledge(15), options, context), says_why);
         CHECK(asked == 1);
         asked = 0;
