@@ -15,7 +15,6 @@
 #include <Geom_Surface.hxx>
 #include <Precision.hxx>
 #include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -29,6 +28,7 @@
 #include <optional>
 #include <vector>
 
+#include "brep/occt_geometry.h"
 #include "core/geometry.h"
 
 namespace featuremesh {
@@ -50,14 +50,6 @@ struct Range2 {
     }
     double size(std::size_t k) const { return high[k] - low[k]; }
 };
-
-std::vector<TopoDS_Edge> border_of(const TopoDS_Face& face) {
-    std::vector<TopoDS_Edge> border;
-    for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next())
-        if (it.Current().Orientation() == TopAbs_FORWARD || it.Current().Orientation() == TopAbs_REVERSED)
-            border.push_back(TopoDS::Edge(it.Current()));
-    return border;
-}
 
 }  // namespace
 

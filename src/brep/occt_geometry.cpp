@@ -81,6 +81,14 @@ void add_bounds(const TopoDS_Shape& shape, Bnd_Box& bounds) {
         BRepBndLib::Add(it.Current(), bounds, false);
 }
 
+std::vector<TopoDS_Edge> border_of(const TopoDS_Face& face) {
+    std::vector<TopoDS_Edge> border;
+    for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next())
+        if (it.Current().Orientation() == TopAbs_FORWARD || it.Current().Orientation() == TopAbs_REVERSED)
+            border.push_back(TopoDS::Edge(it.Current()));
+    return border;
+}
+
 Box box_of(const TopoDS_Shape& shape) {
     Bnd_Box bounds;
     add_bounds(shape, bounds);

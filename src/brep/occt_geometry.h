@@ -4,10 +4,12 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <Bnd_Box.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
 #include <gp_Vec.hxx>
+#include <vector>
 
 #include "core/geometry.h"
 
@@ -40,6 +42,9 @@ Box box_of(const TopoDS_Shape& shape);
 
 /// Makes the bounds hold the shape, too.
 void add_bounds(const TopoDS_Shape& shape, Bnd_Box& bounds);
+
+/// The edges of a face's border as they are in the face when that is oriented forward.
+std::vector<TopoDS_Edge> border_of(const TopoDS_Face& face);
 
 inline Box to_box(const Bnd_Box& bounds) {
     Box box;

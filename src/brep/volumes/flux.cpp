@@ -128,15 +128,6 @@ bool has_ribbon(const TopoDS_Edge& edge, double size) {
     return BRep_Tool::Tolerance(edge) > loose * size && !BRep_Tool::Degenerated(edge);
 }
 
-/// The edges of a face's border as they are in the face when that is oriented forward.
-std::vector<TopoDS_Edge> border_of(const TopoDS_Face& face) {
-    std::vector<TopoDS_Edge> border;
-    for (TopExp_Explorer it(face.Oriented(TopAbs_FORWARD), TopAbs_EDGE); it.More(); it.Next())
-        if (it.Current().Orientation() == TopAbs_FORWARD || it.Current().Orientation() == TopAbs_REVERSED)
-            border.push_back(TopoDS::Edge(it.Current()));
-    return border;
-}
-
 /// `of(number)` by edge.
 template <class Of>
 double sum_along(const std::vector<TopoDS_Edge>& border, const Of& of) {

@@ -156,6 +156,16 @@ VolumeResult fill(const Part& part, int threads) {
     return fill_solids(part.brep, part.sizing, part.surface, {}, VolumeOptions{}, context);
 }
 
+double volume_of(const CavityFill& fill, int region) {
+    double sum = 0;
+    for (std::size_t t = 0; t < fill.regions.size(); ++t) {
+        const auto& c = fill.triangulation.tets[t];
+        if (fill.regions[t] == region)
+            sum += signed_volume(fill.points[c[0]], fill.points[c[1]], fill.points[c[2]], fill.points[c[3]]);
+    }
+    return sum;
+}
+
 Expectation expectation_of(const Brep& brep) {
     Expectation expected;
     for (std::size_t i = 0; i < brep.solid_count(); ++i) expected.solid_volumes.push_back(brep.volume_of(SolidId(i)));

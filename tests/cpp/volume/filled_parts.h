@@ -10,6 +10,7 @@
 #include "mesh/validation.h"
 #include "sizing/sizing_field.h"
 #include "surface/fill_surface.h"
+#include "volume/fill_cavity.h"
 #include "volume/fill_solids.h"
 
 namespace featuremesh::testing {
@@ -52,6 +53,8 @@ Part prepare(const TopoDS_Shape& shape, const SizingOptions& options);
 Part prepare(const TopoDS_Shape& shape, double size);
 
 VolumeResult fill(const Part& part, int threads = 1);
+/// Of the tets in that region.
+double volume_of(const CavityFill& fill, int region);
 Expectation expectation_of(const Brep& brep);
 /// Broken invariants in words, one per line; empty for a valid mesh.
 std::string findings(const Brep& brep, const Mesh& mesh);

@@ -13,16 +13,6 @@ using namespace featuremesh::testing;
 
 namespace {
 
-double volume_of(const CavityFill& fill, int region) {
-    double sum = 0;
-    for (std::size_t t = 0; t < fill.regions.size(); ++t) {
-        const auto& c = fill.triangulation.tets[t];
-        if (fill.regions[t] == region)
-            sum += signed_volume(fill.points[c[0]], fill.points[c[1]], fill.points[c[2]], fill.points[c[3]]);
-    }
-    return sum;
-}
-
 void check_positive(const CavityFill& fill) {
     for (const auto& c : fill.triangulation.tets)
         CHECK(signed_volume(fill.points[c[0]], fill.points[c[1]], fill.points[c[2]], fill.points[c[3]]) > 0);

@@ -14,7 +14,6 @@
 
 #include "catch.h"
 #include "volume/filled_parts.h"
-#include "volume/tets/tet_measures.h"
 
 using namespace featuremesh;
 using namespace featuremesh::testing;
@@ -42,16 +41,6 @@ class WithoutPath {
   private:
     const std::string path_ = std::getenv("PATH");
 };
-
-double volume_of(const CavityFill& fill, int region) {
-    double sum = 0;
-    for (std::size_t t = 0; t < fill.regions.size(); ++t) {
-        const auto& c = fill.triangulation.tets[t];
-        if (fill.regions[t] == region)
-            sum += signed_volume(fill.points[c[0]], fill.points[c[1]], fill.points[c[2]], fill.points[c[3]]);
-    }
-    return sum;
-}
 
 /// A prism over a triangle, its top turned by 30 degrees, that no tets of its corners fill (E. Schoenhardt 1928).
 Cavity twisted_prism() {
