@@ -264,10 +264,9 @@ class Keeper {
         const double widest = in_.margin * in_.new_sizing.largest();
         const PointGrid grid(std::move(bare), widest);
         for (std::size_t n = 0; n < in_.old_mesh.corner_count; ++n) {
+            if (motions_[n] == dropped) continue;
             const Vec3 p = nodes_.at(n);
-            if (motions_[n] != dropped && grid.has_within(p, widest) &&
-                grid.has_within(p, in_.margin * in_.new_sizing.at(p)))
-                drop(n, false);
+            if (grid.has_within(p, widest) && grid.has_within(p, in_.margin * in_.new_sizing.at(p))) drop(n, false);
         }
     }
 
