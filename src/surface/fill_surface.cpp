@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -462,9 +463,12 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
                            const SurfaceOptions& options) {
     const RunContext::Step step(context, "surface");
     constexpr int attempts = 5, attempts_worth_more = 12;
+    constexpr int most_in_vain = 4;      // attempts in a row after which no fewer triangles cross than ever before
+    constexpr int looks_for_strips = 6;  // nodes opposite one another may make the next strip one, all along a shape
     constexpr std::size_t few = 100, many = 1000, hopeless = 20000;
     std::size_t crossings_at_first = 0, crossings_before = 0;
-    int times_grown = 0;
+    std::size_t fewest_crossings = std::numeric_limits<std::size_t>::max();
+    int times_grown = 0, in_vain = 0, looks = 0, fillings = 0;
     const MeshExtent before = extent_of(kept);
     const std::optional<MergedEntities> own = options.known ? std::nullopt : std::optional<MergedEntities>(brep);
     const MergedEntities& merged = options.known ? *options.known : *own;
@@ -491,11 +495,12 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         result.kept = before;
         result.report.has_opposite_nodes = !beside.is_empty();
         result.report.may_be_halved = may_be_halved;
+        result.report.fillings = ++fillings;
         const Crossings found = crossing_triangles(brep, result.mesh, before.triangles, context);
         const TrianglePairs& crossings = found.within;
         if (crossings.empty() && !opposite) {
             opposite = find_opposite_places(brep, result.mesh, before.triangles, context);
-            if (known_beside) {
+            if (known_beside && looks++ < looks_for_strips) {
                 std::vector<std::array<EdgeId, 2>> edges = edges_of_flat_strips(result.mesh, before.triangles);
                 edges.insert(edges.end(), opposite->edges.begin(), opposite->edges.end());
                 const std::vector<std::array<EdgeId, 2>> narrow = filler->edges_of_narrow_strips();
@@ -523,9 +528,11 @@ SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kep
         if (attempt == 1) crossings_at_first = crossings.size();
         times_grown = attempt > 1 && crossings.size() > crossings_before ? times_grown + 1 : 0;
         crossings_before = crossings.size();
+        in_vain = crossings.size() < fewest_crossings ? 0 : in_vain + 1;
+        fewest_crossings = std::min(fewest_crossings, crossings.size());
         const bool is_hopeless = crossings.size() > hopeless || (times_grown >= 2 && crossings.size() > many);
         const bool is_worth_more = crossings.size() < std::max(crossings_at_first, few) && beside.is_empty();
-        const bool is_last = attempt >= (is_worth_more ? attempts_worth_more : attempts);
+        const bool is_last = attempt >= (is_worth_more ? attempts_worth_more : attempts) || in_vain >= most_in_vain;
         if ((is_last || is_hopeless) && !beside.is_empty()) {
             SurfaceOptions other = options;
             other.known = &merged, other.narrow = NarrowFaces::own_chains;

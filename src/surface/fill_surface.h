@@ -29,6 +29,7 @@ struct SurfaceOptions {
 struct SurfaceReport {
     std::size_t new_nodes = 0, new_triangles = 0;
     double min_angle_deg = 180;       ///< smallest angle of a new triangle
+    int fillings = 0;                 ///< until nothing crossed, and strips had nodes opposite one another
     bool has_opposite_nodes = false;  ///< another choice of NarrowFaces gives another surface
     bool may_be_halved = false;       ///< so does NarrowFaces::shorter: some chains would cross by themselves
     std::vector<Message> warnings;    ///< e.g. a face that had to be meshed finer than asked

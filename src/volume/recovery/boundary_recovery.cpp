@@ -19,9 +19,9 @@ namespace featuremesh {
 
 namespace {
 
-/// The most rounds of a full mesh and of an update. After more rounds an update that keeps less is cheaper: of thirty
-/// updates of real parts, those that succeeded took six rounds at most.
-constexpr int most_rounds = 12, most_rounds_of_update = 6;
+/// The most rounds of a full mesh and of an update. After more rounds an update that keeps less is cheaper. Those that
+/// follow the last release are few: constraints bring back what is missing in each cavity once.
+constexpr int most_rounds = 12, most_rounds_of_update = 9;
 constexpr int most_halving_rounds = 3;
 /// Of triangles that cross others. If more do once their edges are halved the shape crosses itself, whatever the size.
 constexpr std::size_t many_crossing = 1000;
