@@ -108,6 +108,28 @@ class Directions(ForcesAlong):
         self.assertNotEqual(self.document.Force.Direction[1], before[2][1])
         self.assertEqual(self.direction_of(self.document.Force)[:2], before[:2])
 
+    def test_an_edge_is_split_and_made_one_again(self):
+        """A load on it is on all pieces, as on a face that is split."""
+        body = self.block()
+        load = self.force_along(body, "y", body)
+        edge = self.edge_along(body, "x")
+        place = body.Shape.getElement(edge).CenterOfMass
+        if place.z < 20:
+            edge = "Edge%d" % next(n for n, other in enumerate(body.Shape.Edges, 1) if abs(other.Length - 100) < NEAR and other.CenterOfMass.z > 20 - NEAR)
+        load.References, load.Direction = [(body, edge)], (body, [edge])
+        self.mesh_of(body)
+        groove = self.groove(body)
+        self.assertEqual(sorted(round(body.Shape.getElement(name).Length, 6) for _, name in names_of(load)), [40, 50])
+        self.assertEqual(self.direction_of(load)[0], "x")
+        self.document.GrooveSketch.setDatum("X", 50)
+        self.document.recompute()
+        self.assertEqual(sorted(round(body.Shape.getElement(name).Length, 6) for _, name in names_of(load)), [40, 50])
+        self.document.removeObject(groove.Name)
+        body.Tip = self.document.Block
+        self.document.recompute()
+        self.assertEqual([body.Shape.getElement(name).Length for _, name in names_of(load)], [100])
+        self.assertEqual(self.direction_of(load)[0], "x")
+
     def test_the_edge_is_gone(self):
         """Nothing is solved until somebody says along what the force is to act; undo brings the edge back."""
         self.document.UndoMode = 1

@@ -2,12 +2,14 @@
 """What the faces, edges, vertices and solids of a part are called after an edit.
 
 Faces are followed by the engine. An edge is known by the faces that meet in it, a vertex likewise, a solid by the faces around
-it; where these leave a choice, the one that has not moved is meant, or else the one that lies among the others as it did (of a sheet's
-free edges, which have the same one face).
+it; where these leave a choice, the one that has not moved is meant, or the pieces of an edge that was split, or else the one that lies among the
+others as it did (of a sheet's free edges, which have the same one face).
 """
 
 import re
 from collections import defaultdict
+
+import Part
 
 _MEMBERS = {"Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
 _SAME_PLACE = 1e-6  # of the part's diagonal
@@ -21,7 +23,7 @@ class Numbering:
         """`old_shape` is a function: it costs time, and is called only for a name that is not a face's."""
         self._became, self._was = defaultdict(set), defaultdict(list)
         for face in faces:
-            for name in face["new_faces"]:
+            for name in face["new_faces"] if face["by"] != "neighbours" or _are_pieces(face["new_faces"], new_shape) else ():
                 self._became[face["old_face"]].add(name)
                 self._was[name].append(face["old_face"])
         self._old_shape, self._new_shape = old_shape, new_shape
@@ -42,6 +44,9 @@ class Numbering:
         if len(found) != 1:
             tolerance = _SAME_PLACE * self._new_shape.BoundBox.DiagonalLength
             staying = [i for i in found or range(len(news)) if _same_place(olds[index], news[i], tolerance)]
+            pieces = [i for i in found if kind == "Edge" and _lies_on(news[i], olds[index], tolerance)]
+            if pieces and not staying:
+                return ["%s%d" % (kind, i + 1) for i in pieces]
             alike = [i for i, around in enumerate(old_faces) if around == old_faces[index]]
             is_choice = len(staying) != 1 and kind != "Solid" and len(alike) == len(found)
             found = self._lying_alike(index, alike, found, olds, news) if is_choice else staying
@@ -112,6 +117,24 @@ def _places_among(members):
     middle = sum(places[1:], places[0]) * (1 / len(places))
     reach = max((place - middle).Length for place in places) or 1
     return [(place - middle) * (1 / reach) for place in places]
+
+
+def _are_pieces(names, shape):
+    """Do these faces lie on one surface? What only has the same faces around it, such as two new holes in place of one, may be a stranger."""
+    first, *others = [shape.getElement(name) for name in names]
+    tolerance = _SAME_PLACE * shape.BoundBox.DiagonalLength
+    points = [point for face in others for point in _points_of(face)]
+    return all((first.Surface.value(*first.Surface.parameter(point)) - point).Length <= tolerance for point in points)
+
+
+def _points_of(face):
+    low_u, high_u, low_v, high_v = face.ParameterRange
+    return [face.valueAt(u, v) for u in (low_u, (low_u + high_u) / 2, high_u) for v in (low_v, (low_v + high_v) / 2, high_v)]
+
+
+def _lies_on(piece, edge, tolerance):
+    first, last = piece.ParameterRange
+    return all(edge.distToShape(Part.Vertex(piece.valueAt(at)))[0] <= tolerance for at in (first, (first + last) / 2, last))
 
 
 def _same_place(old, new, tolerance):
