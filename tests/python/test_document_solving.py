@@ -188,6 +188,6 @@ class Solving(unittest.TestCase):
         self.assertEqual(groups["Steel_Volumes"], groups[names[0]])
         self.assertEqual(groups["Aluminium_Volumes"], groups[names[1]])
         self.document.getObject("Aluminium").References = [(left, "Solid1")]
-        mesh.Proxy.renew_analysis_groups(mesh)
+        mesh.Proxy.renew_groups(mesh)
         self.assertNotIn("Steel_Volumes", groups_of(mesh))
         self.assertIn(analysis, mesh.InList)

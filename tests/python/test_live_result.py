@@ -17,7 +17,7 @@ import ObjectsFem
 from analyses import quantity
 from freecad.featuremesh import api, live_result, mesh_object, mesh_properties, messages, results, solve_guard, statics, user_words, versions
 from freecad.featuremesh.errors import UserError
-from parts import plate_with_hole
+from parts import plate_with_hole, rectangle
 from statics_cases import HAS_SOLVER, STEEL, Case, edges_along, faces_at
 from test_hand_over import contents
 
@@ -154,6 +154,28 @@ class Live(Case):
         body.Tip = self.document.Plate
         self.document.recompute()
         self.assertIn("refers to %s, which is gone" % round_face, live.Status)
+
+    def test_a_load_whose_face_has_another_number(self):
+        """FreeCAD cannot recompute it at first, and leaves out what depends on it."""
+        body = plate_with_hole(self.document)
+        analysis = self.analysis()
+        self.fix(analysis, body, faces_at(body, 0, 0))
+        sketch = body.newObject("Sketcher::SketchObject", "GrooveSketch")
+        rectangle(sketch, 40, -5, 10, 60)
+        groove = body.newObject("PartDesign::Pocket", "Groove")
+        groove.Profile, groove.Reversed, groove.Length = sketch, True, 3
+        body.Tip = groove
+        self.document.recompute()
+        self.force(analysis, body, ["Face%d" % len(body.Shape.Faces)])
+        self.document.Force.Direction = None
+        self.mesh(body, 8)
+        live = api.live_result(analysis)
+        self.document.recompute()
+        self.assertEqual(live.Status, "up to date")
+        self.document.removeObject("Groove")
+        body.Tip = self.document.Hole
+        self.document.recompute()
+        self.assertEqual((live.Status, [obj.Name for obj in self.document.Objects if {"Invalid", "Touched"} & set(obj.State)]), ("up to date", []))
 
     def test_an_error_fails_the_mesh_when_it_is_new(self):
         """One that stays is no reason to fail what was meshed anew since; one that comes again after undo is."""

@@ -9,7 +9,7 @@ from analyses import add_material, add_solver, quantity, solve
 from freecad.featuremesh import analyses, api, engine, live_result, mesh_object, results, solve_guard, statics
 from freecad.featuremesh.errors import UserError
 from meshed_plate import MeshedPlate, points_of
-from parts import groups_in_freecad
+from parts import groups_in_freecad, rectangle
 from statics_cases import HAS_SOLVER
 from test_hand_over import contents
 
@@ -166,6 +166,32 @@ class LoadCases(MeshedPlate):
         self.document.removeObject(own.Name)
         self.document.removeObject(self.mesh.Name)
         self.assertIn("was deleted", shared.Proxy.why_not_to_solve(shared))
+
+    def test_loads_without_a_mesh_stay_where_they_are(self):
+        """It is dragged from one analysis to another in the tree; meanwhile the faces get other numbers."""
+        bare = api.copy_analysis(self.analysis, "Bare", mesh="none")
+        late = ObjectsFem.makeConstraintPressure(self.document, "Late")
+        late.References = [(self.body, face_across(self.body, 0, 60))]
+        bare.addObject(late)
+        loads = [member for member in [*self.analysis.Group, *bare.Group] if member.isDerivedFrom("Fem::Constraint")]
+
+        def ends():
+            return [round(self.body.Shape.getElement(name).CenterOfMass.x, 6) for load in loads for _, names in load.References for name in names]
+        before = ends()
+        self.analysis.removeObject(self.mesh)
+        sketch = self.body.newObject("Sketcher::SketchObject", "GrooveSketch")
+        rectangle(sketch, 40, -5, 10, 60)
+        groove = self.body.newObject("PartDesign::Pocket", "Groove")
+        groove.Profile, groove.Reversed, groove.Length = sketch, True, 3
+        self.body.Tip = groove
+        self.document.recompute()
+        self.assertEqual(ends(), before)
+        bare.addObject(self.mesh)
+        self.edit(24)
+        self.document.removeObject("Groove")
+        self.body.Tip = self.document.Hole
+        self.document.recompute()
+        self.assertEqual(ends(), before)
 
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_both_are_solved_with_one_mesh(self):

@@ -87,9 +87,25 @@ def meshes_of(analysis):
 
 def studies_of(mesh):
     """The studies whose faces, edges and vertices go with this mesh: of several meshes of their part with the first."""
-    part, document = versions.part_of(mesh), mesh.Document
-    first = next((obj for obj in document.Objects if type_of(obj) == _OURS and versions.part_of(obj) is part), None)
-    return [obj for obj in document.Objects if type_of(obj) == _STUDY and getattr(obj, "Part", None) is part] if first is mesh else []
+    part = versions.part_of(mesh)
+    return [obj for obj in mesh.Document.Objects if type_of(obj) == _STUDY and getattr(obj, "Part", None) is part] if _is_first_of_its_part(mesh) else []
+
+
+def dependents_of(mesh):
+    """Constraints and materials of the analyses with this mesh, its group objects, and studies of its part."""
+    members = [member for analysis in holding(mesh) for member in analysis.Group]
+    return members + list(mesh.MeshGroupList) + studies_of(mesh)
+
+
+def followed_by(mesh):
+    """These, and with the first mesh of its part what is in analyses without one: it may be dragged there, or shared."""
+    waiting = [analysis for analysis in analyses_of(mesh.Document) if not meshes_of(analysis)] if _is_first_of_its_part(mesh) else []
+    return dependents_of(mesh) + [member for analysis in waiting for member in analysis.Group]
+
+
+def _is_first_of_its_part(mesh):
+    part = versions.part_of(mesh)
+    return mesh is next((obj for obj in mesh.Document.Objects if type_of(obj) == _OURS and versions.part_of(obj) is part), None)
 
 
 def is_ours(mesh):

@@ -130,7 +130,7 @@ def adopt_mesh(foreign, part=None, size=None, progress=None, in_place_of=None):
         mesh.Document.removeObject(mesh.Name)
         raise
     _take_place_of([foreign] if in_place_of is None else [foreign, in_place_of], mesh)
-    mesh.Proxy.renew_analysis_groups(mesh)
+    mesh.Proxy.renew_groups(mesh)
     mesh.purgeTouched()
     return mesh, report
 

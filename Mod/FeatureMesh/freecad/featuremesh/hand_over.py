@@ -223,10 +223,8 @@ def groups_of(arrays, owners_of_tets, mesh, part, raw=None, analysis_of=None):
     resolver = Resolver(part, raw)
     entities = EntityGroups(arrays)
     groups = everything_in_groups(entities, owners_of_tets) if mesh.AllGroups else []
-    for group in getattr(mesh, "MeshGroupList", []):
-        groups += _groups_of_references(_name_of(group), group, resolver, entities)
-    known = {name for name, _, _ in groups}
-    groups += [group for group in analysis_groups(analysis_of or mesh, resolver, entities) if group[0] not in known]
+    groups += _groups_of_objects(mesh, resolver, entities)
+    groups += _unless_named(analysis_groups(analysis_of or mesh, resolver, entities), groups)
     return [group for group in groups if len(group[2])]
 
 
@@ -255,16 +253,16 @@ def analysis_groups(mesh, resolver, entities):
     return groups + [(name, "Node", nodes) for name, nodes in faces.items()] + [(name, "Volume", elements) for name, elements in solids.items()]
 
 
-def renew_analysis_groups(mesh, resolver, arrays):
-    """Replaces the groups of analysis members in the mesh as it is."""
-    fem_mesh = mesh.FemMesh
-    named = {name for group in getattr(analyses.source_of(mesh), "MeshGroupList", []) for name in (_name_of(group), _name_of(group) + "_Nodes")}
+def renew_groups(mesh, resolver, arrays):
+    """Replaces the groups of mesh group objects and of analysis members in the mesh as it is."""
+    fem_mesh, source, entities = mesh.FemMesh, analyses.source_of(mesh), EntityGroups(arrays)
     for group in fem_mesh.Groups:
         name = fem_mesh.getGroupName(group)
-        if name.endswith(("_Nodes", "_Volumes")) and name not in named and not is_single_entity(name) and not name.startswith("Feature_"):
-            fem_mesh.removeGroup(group)   # that of a member, which may be gone
+        if not (source.AllGroups and (is_single_entity(name) or name.startswith("Feature_"))):
+            fem_mesh.removeGroup(group)   # that of an object, which may be gone or have another name
     known = {fem_mesh.getGroupName(group) for group in fem_mesh.Groups}
-    groups = analysis_groups(mesh, resolver, EntityGroups(arrays))
+    groups = _groups_of_objects(source, resolver, entities)
+    groups += _unless_named(analysis_groups(mesh, resolver, entities), groups)
     _add_groups(fem_mesh, [group for group in groups if len(group[2]) and group[0] not in known])
 
 
@@ -352,6 +350,17 @@ class EntityGroups:
 
 def _element_numbers(arrays):
     return np.concatenate([arrays[own] for _, _, own, _ in _ARRAYS.values()])
+
+
+def _groups_of_objects(mesh, resolver, entities):
+    """Those of the mesh's group objects."""
+    return [entry for group in getattr(mesh, "MeshGroupList", []) for entry in _groups_of_references(_name_of(group), group, resolver, entities)]
+
+
+def _unless_named(groups, others):
+    """Those whose name none of the others has."""
+    known = {name for name, _, _ in others}
+    return [group for group in groups if group[0] not in known]
 
 
 def _groups_of_references(name, group, resolver, entities):

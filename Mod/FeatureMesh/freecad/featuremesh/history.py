@@ -11,7 +11,8 @@ from . import analyses, assembled, recompute_errors, references, results, size_z
 from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, is_of_its_part
 from .reading import dependencies
 
-_WATCHED = ("References", *references.ALONG, "Group", "MeshGroupList", "MeshRegionList")
+_NAMES = ("Label", "UseLabel")   # by which a mesh group object may call its groups
+_WATCHED = ("References", *references.ALONG, "Group", "MeshGroupList", "MeshRegionList", *_NAMES)
 _observer = None
 _deleted = {}   # name of a document -> names of the objects deleted from it
 _recomputed = set()   # names of the documents that were recomputed since they were opened
@@ -100,6 +101,7 @@ class _Observer:
     def slotRecomputedDocument(self, document):
         for mesh in _missed_an_edit(document):
             mesh.recompute()
+        references.look_again(document)
         for mesh in filter(_is_ours, document.Objects):
             results.mark(mesh)   # an expression may have changed a load
         _left_touched[document.Name] = {obj.Name for obj in document.Objects if "Touched" in obj.State} & _left_touched.get(document.Name, set())
@@ -144,10 +146,10 @@ class _Observer:
                 continue
             if name == "References" or name in references.ALONG:
                 mesh.Proxy.references_changed(mesh, obj)
-            elif mesh is obj or obj in mesh.InList or obj in analyses.holding(mesh):
+            elif name not in _NAMES and (mesh is obj or obj in mesh.InList or analyses.is_analysis(obj)):
                 mesh.Proxy.members_changed(mesh)
-            if name == "References" or name == "Group" and obj in analyses.holding(mesh):
-                mesh.Proxy.renew_analysis_groups(mesh)
+            if name == "References" or name == "Group" and obj in analyses.holding(mesh) or name in _NAMES and obj in mesh.MeshGroupList:
+                mesh.Proxy.renew_groups(mesh)
 
 
 def _fail_meshes(document, objects):
@@ -176,6 +178,7 @@ def _show_states(document):
         if _is_ours(obj):
             obj.Proxy.show_state(obj)
             obj.Proxy.members_changed(obj, after_undo=True)
+            obj.Proxy.renew_groups(obj)
             results.mark(obj)
 
 

@@ -149,7 +149,8 @@ class FeatureMesh(Stateless):
             old = saved = problem = None   # but what it was made from is known now, so that references can be followed
         moved = []
         if mesh.MeshRegionList and self._raw is not None:
-            moved = self._follow(mesh, mesh.MeshRegionList, raw, lambda: engine.load().followed_faces(self._raw, raw))
+            with references.not_touched(mesh.MeshRegionList):
+                moved = self._follow(mesh, mesh.MeshRegionList, raw, lambda: engine.load().followed_faces(self._raw, raw))
             self.note_references(mesh, mesh.MeshRegionList, raw)
         refined = refinements.read(mesh, part, raw)
         job = MeshJob(raw, options_of(mesh, part, raw, refined), old, problem, moved + refined.notes)
@@ -202,10 +203,11 @@ class FeatureMesh(Stateless):
         report = plain(job.report)
         if job.problem:
             add_fallback(report, said("meshed from scratch: {why:messages}", why=job.problem))
-        moved = job.remarks + self._follow(mesh, self._dependents(mesh), job.raw, lambda: self._followed_faces(job))
-        report["warnings"] = report.get("warnings", []) + moved
-        self.settle(mesh, self._referring(mesh), job.raw)
-        report["warnings"] += self._what_is_elsewhere(mesh, self._dependents(mesh), job.raw).values()
+        with references.not_touched([*mesh.MeshRegionList, *mesh.MeshGroupList]):
+            moved = job.remarks + self._follow(mesh, analyses.followed_by(mesh), job.raw, lambda: self._followed_faces(job))
+            report["warnings"] = report.get("warnings", []) + moved
+            self.settle(mesh, self._referring(mesh), job.raw)
+        report["warnings"] += self._what_is_elsewhere(mesh, analyses.dependents_of(mesh), job.raw).values()
         report["warnings"] += hand_over.remarks_on_groups(job.part_mesh, mesh, versions.part_of(mesh), job.raw)
         report["warnings"] += remarks_on_form(mesh, element_count(report))
         return report
@@ -329,7 +331,8 @@ class FeatureMesh(Stateless):
 
     def _what_is_elsewhere(self, mesh, objects, raw):
         """references.elsewhere of those objects that are no refinements, which are refused, and in no task panel."""
-        known = [obj for obj in objects if hasattr(obj, "References") and obj not in mesh.MeshRegionList and not references.is_being_edited(obj)]
+        own = analyses.dependents_of(mesh)
+        known = [obj for obj in objects if obj in own and hasattr(obj, "References") and obj not in mesh.MeshRegionList and not references.is_being_edited(obj)]
         return references.elsewhere(known, Resolver(versions.part_of(mesh), raw))
 
     def forget_references(self, mesh, name):
@@ -365,8 +368,8 @@ class FeatureMesh(Stateless):
         except EngineMissing:   # which was said
             return hand_over.groups_of(arrays, list, mesh, part, analysis_of=shown_by)
 
-    def renew_analysis_groups(self, mesh):
-        """Makes the groups of constraints and materials anew, without touching the mesh."""
+    def renew_groups(self, mesh):
+        """Makes the groups of constraints, materials and mesh group objects anew, without touching the mesh."""
         part = versions.part_of(mesh)
         if part is None or not mesh.FemMesh.NodeCount or not self._shown or self._following:
             return
@@ -375,9 +378,9 @@ class FeatureMesh(Stateless):
         except StateError as error:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
             return
-        hand_over.renew_analysis_groups(mesh, Resolver(part, self._raw), arrays)
+        hand_over.renew_groups(mesh, Resolver(part, self._raw), arrays)
         for shared in analyses.shares_of(mesh):
-            shared.Proxy.renew_analysis_groups(shared)
+            shared.Proxy.renew_groups(shared)
 
     def _old(self, mesh):
         """What to start from: (the engine's mesh, the saved state to make it from, the reason why there is neither).
@@ -449,14 +452,9 @@ class FeatureMesh(Stateless):
     def _fem_mesh(self, mesh, part_mesh, raw=None):
         return hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh.arrays(), part_mesh.owners_of_tets, mesh, versions.part_of(mesh), raw))
 
-    def _dependents(self, mesh):
-        """Constraints and materials of the analyses with this mesh, its group objects, and studies of its part."""
-        members = [member for analysis in analyses.holding(mesh) for member in analysis.Group]
-        return members + list(mesh.MeshGroupList) + analyses.studies_of(mesh)
-
     def _referring(self, mesh):
         """Everything whose references are of this mesh's part."""
-        return [obj for obj in self._dependents(mesh) + list(mesh.MeshRegionList) if hasattr(obj, "References")]
+        return [obj for obj in analyses.followed_by(mesh) + list(mesh.MeshRegionList) if hasattr(obj, "References")]
 
     def _follow(self, mesh, objects, raw, faces):
         """Moves references with their faces, which `faces()` follows from the last mesh to `raw`. Returns what was done."""

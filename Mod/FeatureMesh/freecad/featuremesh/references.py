@@ -7,6 +7,8 @@ referred to at the last mesh is on record. What it became is known by the featur
 references, for a load must never act on a face that nobody chose, and an object that has nothing left is marked until it is mended.
 """
 
+from contextlib import contextmanager
+
 import FreeCAD
 
 from . import assembled, versions
@@ -29,6 +31,8 @@ ALONG = ("Direction", "RotationAxis")
 _OPPOSITE = 0.999   # the cosine of directions that are one another's opposite, without its sign
 # A property of objects whose direction is gone: the names of what it was.
 LOST_ALONG = "LostDirection"
+
+_moved = set()   # (name of the document, name) of what was given other references since the last recompute
 
 _ELSEWHERE = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {where:entities}, which is not on the meshed part {part:text} and has no nodes in its mesh; choose "
                                "faces, edges or vertices of {part:text} instead")
@@ -147,6 +151,26 @@ def follow(obj, known, resolver, numbering):
     return lines + _what_was_lost(obj, lost, now) + more, {"References": lost, **lost_along}
 
 
+@contextmanager
+def not_touched(objects):
+    """For refinements and groups of the mesh that is being made: FreeCAD would make it once more for those whose references are moved meanwhile."""
+    untouched = [obj for obj in objects if "Touched" not in obj.State]
+    yield
+    for obj in untouched:
+        obj.purgeTouched()
+
+
+def look_again(document):
+    """To be called after a recompute: what FreeCAD looked at before its face had its new number is in error no more, and what it left out for that is made."""
+    moved = [document.getObject(name) for owner, name in _moved if owner == document.Name]
+    _moved.difference_update([place for place in _moved if place[0] == document.Name])
+    mended = [obj for obj in moved if obj is not None and "Invalid" in obj.State and pairs_of(obj)]
+    left_out = {above for obj in mended for above in obj.InListRecursive if "Touched" in above.State}
+    for obj in mended + sorted(left_out, key=lambda above: len(above.OutListRecursive)):
+        if obj.recompute():
+            obj.purgeTouched()
+
+
 def take_back(obj, resolver, name, found):
     """Lets an object refer, or act along, to what is there again as well. Returns whether it did not do so already."""
     names, foreign = resolver.of_object(obj)
@@ -249,6 +273,7 @@ def _refer(obj, bearer, names, name="References"):
 
 
 def _write(obj, bearer, names, name):
+    _moved.add((obj.Document.Name, obj.Name))
     if obj.getTypeIdOfProperty(name).startswith("App::PropertyLinkSubList"):
         setattr(obj, name, [(bearer, tuple(names))] if names else [])
     else:

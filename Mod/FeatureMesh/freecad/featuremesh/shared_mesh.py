@@ -73,11 +73,11 @@ class SharedMesh(Stateless):
         self._shown = checksum
         shared.purgeTouched()
 
-    def renew_analysis_groups(self, shared):
-        """Makes the groups of constraints and materials anew, without touching the mesh."""
+    def renew_groups(self, shared):
+        """Makes the groups of constraints, materials and mesh group objects anew, without touching the mesh."""
         mesh = shared.Mesh
         if mesh is not None and self._shown and versions.part_of(mesh) is not None:
-            hand_over.renew_analysis_groups(shared, Resolver(versions.part_of(mesh)), mesh.Proxy.arrays(mesh))
+            hand_over.renew_groups(shared, Resolver(versions.part_of(mesh)), mesh.Proxy.arrays(mesh))
 
     def why_not_to_solve(self, shared):
         """As of the mesh itself; or that it is gone."""

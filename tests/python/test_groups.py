@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The groups by which a solver finds the nodes of loads are where these are, also when undo, redo or a new label came without a recompute."""
+import unittest
+
+import ObjectsFem
+from freecad.featuremesh import api
+from meshed_plate import MeshedPlate
+from parts import groups_in_freecad
+from test_load_cases import face_across
+
+
+class GroupsFollow(MeshedPlate):
+
+    def setUp(self):
+        super().setUp()
+        self.document.UndoMode = 1
+        self.analysis = ObjectsFem.makeAnalysis(self.document, "Analysis")
+        self.analysis.addObject(self.mesh)
+        self.left, self.right = (face_across(self.body, 0, place) for place in (0, 60))
+        self.fixed = ObjectsFem.makeConstraintFixed(self.document, "Fixed")
+        self.fixed.References = [(self.body, self.right)]
+        self.analysis.addObject(self.fixed)
+        self.document.recompute()
+
+    def step(self, change):
+        """One step of undo."""
+        self.document.openTransaction("Step")
+        change()
+        self.document.commitTransaction()
+
+    def places(self, group):
+        """Where the nodes of a group are along x; None where there is no such group."""
+        nodes = self.mesh.FemMesh.Nodes
+        return {round(nodes[number].x, 6) for number in groups_in_freecad(self.mesh)[group]} if group in groups_in_freecad(self.mesh) else None
+
+    def test_another_face_is_undone_and_redone(self):
+        self.step(lambda: setattr(self.fixed, "References", [(self.body, self.left)]))
+        self.assertEqual(self.places("Fixed_Nodes"), {0})
+        self.document.undo()
+        self.assertEqual(self.places("Fixed_Nodes"), {60})
+        self.document.redo()
+        self.assertEqual(self.places("Fixed_Nodes"), {0})
+        self.document.openTransaction("Cancelled")
+        self.fixed.References = [(self.body, self.right)]
+        self.document.abortTransaction()
+        self.assertEqual(self.places("Fixed_Nodes"), {0})
+
+    def test_a_deleted_support_comes_back(self):
+        self.step(lambda: self.document.removeObject("Fixed"))
+        self.assertIsNone(self.places("Fixed_Nodes"))
+        self.document.undo()
+        self.assertEqual(self.places("Fixed_Nodes"), {60})
+
+    def test_a_mesh_that_left_its_analysis_comes_back(self):
+        self.step(lambda: self.analysis.removeObject(self.mesh))
+        self.step(self.edit)
+        self.document.undo()
+        self.document.undo()
+        self.assertEqual(self.places("Fixed_Nodes"), {60})
+
+    def test_mesh_groups(self):
+        group = api.add_group(self.mesh, [(self.body, self.right)])
+        self.document.recompute()
+        self.step(lambda: setattr(group, "References", [(self.body, self.left)]))
+        self.assertEqual(self.places(group.Name + "_Nodes"), {0})
+        self.document.undo()
+        self.assertEqual(self.places(group.Name + "_Nodes"), {60})
+        group.UseLabel = True
+        for label in ("Öse", "Face1", "A, b"):
+            self.step(lambda label=label: setattr(group, "Label", label))
+            self.assertEqual({label, label + "_Nodes", "Fixed_Nodes", self.right + "_Nodes"}, set(groups_in_freecad(self.mesh)))
+        self.document.undo()
+        self.assertEqual(self.places("Face1_Nodes"), {60})
+
+
+if __name__ == "__main__":
+    unittest.main()
