@@ -104,7 +104,7 @@ def add_renumber(subparsers):
     renumber = command(subparsers, "renumber", commands.renumber, "number a mesh's nodes and elements anew, from 1 without gaps")
     add_part(renumber)
     renumber.add_argument("--out", metavar="OUT.FCStd", help="the document to write (default: the document itself)")
-    renumber.add_argument("--json", metavar="REPORT.json", help="write the report to this file")
+    renumber.add_argument("--json", metavar="REPORT.json", help="write the report to this file, or to standard output (-)")
 
 
 def add_transfer(subparsers):
@@ -115,7 +115,7 @@ def add_transfer(subparsers):
     transfer.add_argument("--result", metavar="NAME", help="the result object (default: the only one)")
     add_object(transfer)
     transfer.add_argument("--out", metavar="OUT.FCStd", help="the document to write (default: NEW)")
-    transfer.add_argument("--json", metavar="REPORT.json", help="write the report to this file")
+    transfer.add_argument("--json", metavar="REPORT.json", help="write the report to this file, or to standard output (-)")
 
 
 def add_diff(subparsers):
@@ -137,7 +137,7 @@ def add_export(subparsers):
     export = command(subparsers, "export", commands.export, "write a document's mesh with its groups to a file")
     export.add_argument("part", metavar="PART.FCStd", help="a document with a mesh")
     export.add_argument("--format", required=True, choices=("vtu", "vtk", "inp", "bdf", "msh", "stl", "unv", "med", "z88"), help="format of the file")
-    export.add_argument("out", metavar="OUT", help="the file to write")
+    export.add_argument("out", metavar="OUT", help="the file to write, or standard output (-)")
     add_object(export)
 
 
@@ -213,7 +213,7 @@ def add_object(parser):
 def add_run(parser):
     parser.add_argument("--threads", type=int, metavar="N", help="threads of the engine (default: all processors)")
     parser.add_argument("--out", metavar="OUT.FCStd", help="the document to write (default: the document itself)")
-    parser.add_argument("--json", metavar="REPORT.json", help="write the report to this file")
+    parser.add_argument("--json", metavar="REPORT.json", help="write the report to this file, or to standard output (-)")
 
 
 def add_print_json(parser):

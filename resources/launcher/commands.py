@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What each command does: set-up, then one task in FreeCAD or one program."""
+import contextlib
 import json
 import os
 import shutil
@@ -14,6 +15,7 @@ import package_tests
 import packages
 import published
 import sanitizers
+import streams
 import tidy
 import wheels
 from engine_build import ALL, IN_FREECAD, PYTHON, processes_at_once, set_up
@@ -27,13 +29,13 @@ DOCUMENT = ".FCStd"   # the ending of its name
 def mesh(given):
     part = existing_file(given.part)
     return finish(task(given, part=part, object=given.object, size=given.size, order=given.order, dimension=given.dimension,
-                       ignore_below=given.ignore_below, threads=given.threads, out=written_document(given.out, part), json=written_file(given.json)))
+                       ignore_below=given.ignore_below, threads=given.threads, out=written_document(given.out, part), json=written_file(given.json, ".json")))
 
 
 def adopt(given):
     part = existing_file(given.part)
     return finish(task(given, part=part, mesh=given.mesh, object=given.object, size=given.size, threads=given.threads,
-                       out=written_document(given.out, part), json=written_file(given.json)))
+                       out=written_document(given.out, part), json=written_file(given.json, ".json")))
 
 
 def update(given):
@@ -41,31 +43,31 @@ def update(given):
     if given.solve:
         set_up(packages.SOLVER_PACKAGES)
     return finish(task(given, part=part, object=given.object, set=given.set, full=given.full, solve=given.solve, threads=given.threads,
-                       out=written_document(given.out, part), json=written_file(given.json)))
+                       out=written_document(given.out, part), json=written_file(given.json, ".json")))
 
 
 def solve(given):
     part = existing_file(given.part)
     set_up(() if given.ccx else packages.SOLVER_PACKAGES)
     return finish(task(given, part=part, analysis=given.analysis, live=given.live, ccx=given.ccx, threads=given.threads,
-                       out=written_document(given.out, part), json=written_file(given.json)))
+                       out=written_document(given.out, part), json=written_file(given.json, ".json")))
 
 
 def renumber(given):
     part = existing_file(given.part)
-    return finish(task(given, part=part, object=given.object, out=written_document(given.out, part), json=written_file(given.json)))
+    return finish(task(given, part=part, object=given.object, out=written_document(given.out, part), json=written_file(given.json, ".json")))
 
 
 def transfer(given):
     part = existing_file(given.part)
     new = existing_file(given.new) if given.new else None
     return finish(task(given, part=part, new=new, result=given.result, object=given.object, out=written_document(given.out, new or part),
-                       json=written_file(given.json)))
+                       json=written_file(given.json, ".json")))
 
 
 def diff(given):
     old, new = existing_file(given.old), existing_file(given.new)
-    picture = written_file(given.picture) if given.picture else None
+    picture = written_file(given.picture, ".png") if given.picture else None
     if picture:
         set_up(packages.PICTURE_PACKAGES)
     return finish(task(given, old=old, new=new, object=given.object, json=given.json, picture=picture), given.json)
@@ -78,11 +80,11 @@ def tree(given):
 
 def export(given):
     part = existing_file(given.part)
-    return finish(task(given, part=part, object=given.object, format=given.format, out=written_file(given.out)))
+    return finish(task(given, part=part, object=given.object, format=given.format, out=written_file(given.out, "." + given.format)))
 
 
 def picture(given):
-    part, out = existing_file(given.part), written_file(given.out or Path(given.part).stem + ".png")
+    part, out = existing_file(given.part), written_file(given.out or Path(given.part).stem + ".png", ".png")
     set_up(packages.PICTURE_PACKAGES)
     return finish(task(given, part=part, object=given.object, quality=given.quality, limits=given.limits, cut=given.cut, filled=given.filled, out=out))
 
@@ -246,16 +248,24 @@ def task(given, **options):
     if getattr(given, "threads", None) is not None and given.threads < 1:
         raise UserError(f"--threads {given.threads}: at least one thread is needed")
     set_up()
-    return run_task({"command": given.command, **{name: value for name, value in options.items() if value is not None}})
+    with contextlib.ExitStack() as stack:
+        files = {name: stack.enter_context(streams.file_for(value)) for name, value in options.items() if value is not None}
+        result = run_task({"command": given.command, **files})
+        for name, stream in options.items():
+            if isinstance(stream, streams.Stream):
+                for written in (files[name], os.path.relpath(files[name])):
+                    result["message"] = result["message"].replace(written, stream.name)
+        return {**result, "tell": streams.beside(*options.values())}
 
 
 def finish(result, print_json=False):
-    """Prints what a task said, its warnings on standard error, and gives exit code 0. Throws UserError, Failure where the task failed."""
+    """Prints what a task said, beside what went to standard output, and its warnings on standard error, and gives exit code 0. Throws UserError, Failure
+    where the task failed."""
     data = data_of(result)
     if print_json:
         print(json.dumps(data, indent=1))
     elif result["message"]:
-        print(result["message"], flush=True)
+        print(result["message"], file=result.get("tell"), flush=True)
     for line in data.get("warnings", []):
         print(f"warning: {line}", file=sys.stderr)
     return 0
@@ -295,8 +305,10 @@ def written_document(name, read):
     return path_to_write(name)
 
 
-def written_file(name):
-    """The absolute path of another file to write, likewise."""
+def written_file(name, ending):
+    """The absolute path of another file to write, likewise; a Stream for what is none, which is written by way of a file with that ending."""
+    if name is not None and streams.is_stream(name):
+        return streams.Stream(name, ending)
     if name is not None and is_document(name):
         raise UserError(f"{name} is the name of a document, which this would overwrite; name another file")
     return path_to_write(name)

@@ -10,6 +10,7 @@ import types
 from pathlib import Path
 
 import packages
+import streams
 from commands import data_of, existing_file, written_file
 from engine_build import set_up
 from freecad_task import ProgressLine, freecad_environment, freecadcmd, run_task
@@ -276,9 +277,10 @@ def export(given):
     with errors_of_studies():
         from freecad.featuremesh.study import table
         from freecad.featuremesh.study.folder import StudyFolder
-        out = written_file(given.out)
-        count = table.write(StudyFolder(given.folder), out, given.format)
-        print(f"wrote {given.out} ({count} cases)")
+        out = written_file(given.out, "." + (given.format or "csv"))
+        with streams.file_for(out) as file:
+            count = table.write(StudyFolder(given.folder), file, given.format)
+        print(f"wrote {given.out} ({count} cases)", file=streams.beside(out))
         return 0
 
 
@@ -290,9 +292,10 @@ def report(given):
         from freecad.featuremesh.study import report as page
         from freecad.featuremesh.study.folder import StudyFolder
         folder = StudyFolder(given.folder)
-        out = written_file(given.out or os.path.join(folder.path, "report.html"))
-        page.write(folder, out, given.pareto.split(",") if given.pareto else None, given.minimise, given.limit)
-        print(f"wrote {shown_path(out)}")
+        out = written_file(given.out or os.path.join(folder.path, "report.html"), ".html")
+        with streams.file_for(out) as file:
+            page.write(folder, file, given.pareto.split(",") if given.pareto else None, given.minimise, given.limit)
+        print(f"wrote {out.name if isinstance(out, streams.Stream) else shown_path(out)}", file=streams.beside(out))
         return 0
 
 
