@@ -173,10 +173,13 @@ class LoadCases(MeshedPlate):
         late = ObjectsFem.makeConstraintPressure(self.document, "Late")
         late.References = [(self.body, face_across(self.body, 0, 60))]
         bare.addObject(late)
+        early = ObjectsFem.makeConstraintPressure(self.document, "Early")
+        early.References = [(self.document.Plate, "Face6")]   # for a mesh of that one, perhaps
+        bare.addObject(early)
         loads = [member for member in [*self.analysis.Group, *bare.Group] if member.isDerivedFrom("Fem::Constraint")]
 
         def ends():
-            return [round(self.body.Shape.getElement(name).CenterOfMass.x, 6) for load in loads for _, names in load.References for name in names]
+            return [round(self.body.Shape.getElement(name).CenterOfMass.x, 6) for load in loads if load is not early for _, names in load.References for name in names]
         before = ends()
         self.analysis.removeObject(self.mesh)
         sketch = self.body.newObject("Sketcher::SketchObject", "GrooveSketch")
@@ -185,7 +188,7 @@ class LoadCases(MeshedPlate):
         groove.Profile, groove.Reversed, groove.Length = sketch, True, 3
         self.body.Tip = groove
         self.document.recompute()
-        self.assertEqual(ends(), before)
+        self.assertEqual((ends(), early.References), (before, [(self.document.Plate, ("Face6",))]))
         bare.addObject(self.mesh)
         self.edit(24)
         self.document.removeObject("Groove")

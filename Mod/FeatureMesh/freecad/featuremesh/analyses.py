@@ -8,7 +8,7 @@ from .errors import UserError
 from .messages import said
 from .proxies import type_of
 from .reading import describe, refuse_gone
-from .resolving import Resolver
+from .resolving import Resolver, pairs_of
 
 translate = FreeCAD.Qt.translate
 _OURS, SHARED, _STUDY = "Fem::FeatureMesh", "Fem::FeatureMeshShared", "FeatureMesh::Study"
@@ -98,9 +98,11 @@ def dependents_of(mesh):
 
 
 def followed_by(mesh):
-    """These, and with the first mesh of its part what is in analyses without one: it may be dragged there, or shared."""
+    """These, and with the first mesh of its part what refers to that in analyses without one: it may be dragged there, or shared."""
     waiting = [analysis for analysis in analyses_of(mesh.Document) if not meshes_of(analysis)] if _is_first_of_its_part(mesh) else []
-    return dependents_of(mesh) + [member for analysis in waiting for member in analysis.Group]
+    part = versions.part_of(mesh)
+    clicked = part, getattr(part, "Tip", None)
+    return dependents_of(mesh) + [member for analysis in waiting for member in analysis.Group if all(target in clicked for target, _ in pairs_of(member))]
 
 
 def _is_first_of_its_part(mesh):
