@@ -454,7 +454,7 @@ class Blocks(BlockParts):
             self.assertEqual((now.XMin, now.XMax), (max(was.XMin, 30), max(was.XMax, 30)))
 
     def test_an_import_that_is_replaced_by_a_newer_one(self):
-        """Two holes are where one was, both between the same faces: neither is a piece of it, and no load goes to a stranger."""
+        """Two holes are where one was, both between the same faces: neither is a piece of it, and what is no longer like it is a stranger."""
         plate = Part.makeBox(60, 40, 10)
 
         def with_holes(*holes):
@@ -464,10 +464,14 @@ class Blocks(BlockParts):
         hole = self.load(solid, "Face%d" % next(n for n, face in enumerate(solid.Shape.Faces, 1) if hasattr(face.Surface, "Radius")))
         top = self.load(solid, self.face_at(solid, "Z", 10))
         self.mesh_of(solid)
-        solid.Shape = with_holes((24, 20, 6), (50, 10, 3))
-        self.document.recompute()
-        self.assertEqual((names_of(hole), len(names_of(top))), ([], 1))
-        self.assertIn("which is gone", references.unmended(self.analysis)[0][1])
+        for holes, radii in ([(22, 20, 6), (50, 10, 3)], [6]), ([(22, 20, 6)], [6]), ([(40, 20, 4), (50, 10, 3)], []):
+            if not radii and versions.follows_faces():
+                break   # FreeCAD chooses by itself as soon as the shape is set
+            solid.Shape = with_holes(*holes)
+            self.document.recompute()
+            self.assertEqual([solid.Shape.getElement(name).Surface.Radius for _, name in names_of(hole)], radii)
+            self.assertEqual(len(names_of(top)), 1)
+            self.assertEqual(len(references.unmended(self.analysis)), not radii)
 
     def test_a_mesh_that_is_given_another_part(self):
         """The next version of a file, imported beside the first one."""

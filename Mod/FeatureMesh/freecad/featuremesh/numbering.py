@@ -22,12 +22,21 @@ class Numbering:
     def __init__(self, faces, old_shape, new_shape):
         """`old_shape` is a function: it costs time, and is called only for a name that is not a face's."""
         self._became, self._was = defaultdict(set), defaultdict(list)
-        for face in faces:
-            for name in face["new_faces"] if face["by"] != "neighbours" or _are_pieces(face["new_faces"], new_shape) else ():
-                self._became[face["old_face"]].add(name)
-                self._was[name].append(face["old_face"])
         self._old_shape, self._new_shape = old_shape, new_shape
         self._around = {}  # kind -> (members before, their faces, members after, their faces)
+        for face in faces:
+            for name in self._told(face):
+                self._became[face["old_face"]].add(name)
+                self._was[name].append(face["old_face"])
+
+    def _told(self, face):
+        """What the engine says that a face became. What it tells by the faces around alone may be strangers, such as two new holes in place of one, unless
+        they lie on one surface."""
+        names = face["new_faces"]
+        if face["by"] != "neighbours" or _are_pieces(names, self._new_shape):
+            return names
+        alike = [name for name in names if self.may_be(face["old_face"], name)]
+        return alike if len(alike) == 1 else []
 
     def now(self, name):
         """Sorted names of what the sub-element became; empty when it is gone or cannot be told."""
@@ -120,7 +129,7 @@ def _places_among(members):
 
 
 def _are_pieces(names, shape):
-    """Do these faces lie on one surface? What only has the same faces around it, such as two new holes in place of one, may be a stranger."""
+    """Do these faces lie on one surface?"""
     first, *others = [shape.getElement(name) for name in names]
     tolerance = _SAME_PLACE * shape.BoundBox.DiagonalLength
     points = [point for face in others for point in _points_of(face)]
