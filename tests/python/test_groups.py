@@ -5,7 +5,7 @@ import unittest
 import ObjectsFem
 from freecad.featuremesh import api
 from meshed_plate import MeshedPlate
-from parts import groups_in_freecad
+from parts import groups_in_freecad, placement
 from test_load_cases import face_across
 
 
@@ -71,6 +71,20 @@ class GroupsFollow(MeshedPlate):
             self.assertEqual({label, label + "_Nodes", "Fixed_Nodes", self.right + "_Nodes"}, set(groups_in_freecad(self.mesh)))
         self.document.undo()
         self.assertEqual(self.places("Face1_Nodes"), {60})
+
+    def test_a_part_that_was_moved_without_a_recompute(self):
+        """By FreeCAD's dragger, and undone is what came after it: the mesh of before is not that of the part."""
+        self.step(lambda: setattr(self.body, "Placement", placement(5)))
+        self.step(self.edit)
+        self.assertEqual(self.mesh.Status, "up to date")
+        self.document.undo()
+        self.assertRegex(self.mesh.Status, "^out of date")
+        self.document.recompute()
+        self.assertEqual((self.mesh.Status, self.places("Fixed_Nodes")), ("up to date", {65}))
+        for _ in range(2):
+            self.step(self.edit)
+            self.document.undo()
+            self.assertEqual(self.mesh.Status, "up to date")
 
 
 if __name__ == "__main__":

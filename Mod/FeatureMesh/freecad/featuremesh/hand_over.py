@@ -26,6 +26,7 @@ from .waiting import let_the_window_live
 
 # SMESH wants tets oriented the other way round than Abaqus and VTK; the corners in the order its UNV reader gives them.
 SMESH_TET = [0, 2, 1, 3, 6, 5, 4, 7, 9, 8]
+_SAME_PLACE = 1e-6   # of the part's diagonal
 _KINDS = {"Solid": "Volume", "Face": "Face", "Edge": "Edge", "Vertex": "Node"}
 _CHUNK = 20000   # rows between two looks at the window
 _FEW_GROUPS = 400   # FreeCAD looks through all elements for each; with more than these that costs more than reading a file saves
@@ -215,6 +216,15 @@ def has_as_many(fem_mesh, arrays):
     """Has a FemMesh as many nodes and elements as the arrays, whose it is then?"""
     counts = fem_mesh.NodeCount, fem_mesh.FaceCount, fem_mesh.VolumeCount
     return counts == tuple(len(arrays[name]) for name in ("node_numbers", "triangles", "tets"))
+
+
+def lies_on(arrays, shape):
+    """Are most nodes of vertices where these are, as of no part that was moved since? Some may be elsewhere, where details are ignored."""
+    nodes, vertices = np.flatnonzero(arrays["entities"][:, 0] == 0), shape.Vertexes
+    near = _SAME_PLACE * shape.BoundBox.DiagonalLength
+    far = [np.linalg.norm(arrays["points"][node] - np.array(vertices[number].Point)) > near
+           for node, number in zip(nodes, arrays["entities"][nodes, 1]) if number < len(vertices)]
+    return 2 * sum(far) <= len(far)
 
 
 def groups_of(arrays, owners_of_tets, mesh, part, raw=None, analysis_of=None):

@@ -7,9 +7,9 @@ groups by which a solver finds the nodes of constraints are renewed when the ref
 
 import FreeCAD
 
-from . import analyses, assembled, recompute_errors, references, results, size_zone, versions
-from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, is_of_its_part
-from .reading import dependencies
+from . import analyses, assembled, hand_over, recompute_errors, references, results, size_zone, versions
+from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, UP_TO_DATE, is_of_its_part
+from .reading import dependencies, has_shape
 
 _NAMES = ("Label", "UseLabel")   # by which a mesh group object may call its groups
 _WATCHED = ("References", *references.ALONG, "Group", "MeshGroupList", "MeshRegionList", *_NAMES)
@@ -179,7 +179,16 @@ def _show_states(document):
             obj.Proxy.show_state(obj)
             obj.Proxy.members_changed(obj, after_undo=True)
             obj.Proxy.renew_groups(obj)
+            if obj.Status == UP_TO_DATE and _is_beside_its_part(obj):
+                obj.Status = OUT_OF_DATE
+                obj.touch()
             results.mark(obj)
+
+
+def _is_beside_its_part(mesh):
+    """Was the part moved, which needs no recompute, before something else that is undone now?"""
+    part = versions.part_of(mesh)
+    return part is not None and has_shape(part) and not hand_over.lies_on(mesh.Proxy.arrays(mesh), part.Shape)
 
 
 def _is_ours(obj):
