@@ -33,8 +33,8 @@ constexpr std::size_t cheap_tets = 2000;  ///< so many more are no burden, where
 constexpr std::size_t most_tries = 3;     ///< of a place
 constexpr double most_longer = 4;         ///< than an angle asks for, see longer_
 constexpr std::size_t most_tets_again = 2'000'000;  ///< in all rounds; each goes through the whole mesh once
-constexpr double margin_of_first_try = 1.5;       ///< edge lengths around the tets; as much again in each other try
-constexpr double reach_of_place = 3;              ///< edge lengths: what is filled again, and what mends its interface
+constexpr double margin_of_first_try = 1.5;         ///< edge lengths around the tets; as much again in each other try
+constexpr double reach_of_place = 3;  ///< edge lengths: what is filled again, and what mends its interface
 
 /// A tet with an angle below 10 degrees that the shape does not force.
 struct SmallTet {
