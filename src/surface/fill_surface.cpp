@@ -5,15 +5,12 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <utility>
 
-#include "brep/solid_probe.h"
 #include "core/activity.h"
-#include "core/dimension.h"
 #include "core/errors.h"
 #include "core/geometry.h"
 #include "core/ids.h"
@@ -28,6 +25,7 @@
 #include "surface/heartbeat.h"
 #include "surface/opposite_nodes.h"
 #include "surface/opposite_places.h"
+#include "surface/surface_warnings.h"
 #include "surface/triangle_crossings.h"
 #include "surface/wanted_length.h"
 
@@ -325,8 +323,6 @@ bool add_beside(const MergedEntities& merged, const std::vector<std::array<EdgeI
     return is_new;
 }
 
-using TrianglePairs = std::vector<std::array<TriangleId, 2>>;
-
 /// Half the length of today wherever two triangles cross.
 void ask_for_less(WantedLength& wanted, const Mesh& mesh, const TrianglePairs& crossings) {
     std::vector<SizeSource> shorter;
@@ -339,118 +335,133 @@ void ask_for_less(WantedLength& wanted, const Mesh& mesh, const TrianglePairs& c
     wanted.limit(shorter);
 }
 
-/// So many pairs are told of.
-constexpr std::size_t most_pairs = 4;
-
-template <class Pairs, class Say>
-std::vector<Message> first_of(const Pairs& pairs, Say say_pair) {
-    std::vector<Message> lines;
-    for (const auto& pair : pairs) {
-        if (lines.size() == most_pairs) {
-            lines.push_back(say<Code::and_others>());
-            break;
-        }
-        lines.push_back(say_pair(pair));
+/// Whether shorter edges are worth another try. Thin walls part as the mesh gets finer; a shape that crosses itself
+/// only gets more crossings.
+class CrossingsWatch {
+  public:
+    void note(std::size_t crossings) {
+        ++tries_;
+        if (tries_ == 1) at_first_ = crossings;
+        times_grown_ = tries_ > 1 && crossings > now_ ? times_grown_ + 1 : 0;
+        in_vain_ = crossings < fewest_ ? 0 : in_vain_ + 1;
+        fewest_ = std::min(fewest_, crossings);
+        now_ = crossings;
     }
-    return lines;
-}
+    /// `is_plain`: no edges have nodes opposite one another.
+    bool is_worth_a_try(bool is_plain) const {
+        constexpr int most = 5, most_of_few = 12;
+        constexpr int most_in_vain = 4;  // in a row, without fewer than ever before
+        constexpr std::size_t few = 100, many = 1000, hopeless = 20000;
+        if (now_ > hopeless || (times_grown_ >= 2 && now_ > many) || in_vain_ >= most_in_vain) return false;
+        return tries_ < (is_plain && now_ < std::max(at_first_, few) ? most_of_few : most);
+    }
 
-/// Two faces whose triangles cross, how often, and the first triangle of the first of them that does.
-struct FacePair {
-    FaceId first, second;
-    TriangleId where;
-    std::size_t crossings = 0;
+  private:
+    int tries_ = 0, times_grown_ = 0, in_vain_ = 0;
+    std::size_t at_first_ = 0, now_ = 0, fewest_ = std::numeric_limits<std::size_t>::max();
 };
 
-/// The pairs of faces whose triangles cross, most often first: faces that lie on one another before those that only
-/// meet in an edge.
-std::vector<FacePair> pairs_of(const Mesh& mesh, const TrianglePairs& crossings) {
-    std::map<std::pair<FaceId, FaceId>, FacePair> found;
-    for (const auto& [t, u] : crossings) {
-        const auto [f, g] = std::minmax(mesh.triangle_faces[t.index()], mesh.triangle_faces[u.index()]);
-        ++found.try_emplace({f, g}, FacePair{f, g, t}).first->second.crossings;
-    }
-    std::vector<FacePair> pairs;
-    for (const auto& entry : found) pairs.push_back(entry.second);
-    std::stable_sort(pairs.begin(), pairs.end(),
-                     [](const auto& a, const auto& b) { return a.crossings > b.crossings; });
-    return pairs;
-}
+/// Fills the surface again, with other nodes or shorter edges, until none of its triangles cross.
+class SurfaceLoop {
+  public:
+    SurfaceLoop(const Brep& brep, const SizingField& sizing, const MergedEntities& merged, const MeshExtent& before,
+                NarrowFaces narrow, RunContext& context)
+        : brep_(brep), merged_(merged), before_(before), narrow_(narrow), context_(context), wanted_(sizing) {}
 
-std::vector<Message> names_of(const std::vector<FacePair>& pairs) {
-    return first_of(pairs, [](const FacePair& pair) {
-        return pair.first == pair.second ? say<Code::with_itself>(pair.first)
-                                         : say<Code::pair>(pair.first, pair.second);
-    });
-}
-
-std::vector<Message> places_of(const Mesh& mesh, const std::vector<FacePair>& pairs) {
-    return first_of(pairs, [&](const FacePair& pair) {
-        const auto& [a, b, c] = mesh.triangles[pair.where.index()];
-        const Vec3 place = (mesh.point(a) + mesh.point(b) + mesh.point(c)) / 3;
-        return pair.first == pair.second ? say<Code::with_itself_near>(pair.first, place)
-                                         : say<Code::pair_near>(pair.first, pair.second, place);
-    });
-}
-
-Message warning_of_contact(const Brep& brep, const Mesh& mesh, const TrianglePairs& crossings) {
-    const std::vector<Message> faces = names_of(pairs_of(mesh, crossings));
-    const auto is_shell = [&](TriangleId t) { return brep.is_free(mesh.triangle_faces[t.index()]); };
-    if (std::any_of(crossings.begin(), crossings.end(),
-                    [&](const auto& pair) { return is_shell(pair[0]) || is_shell(pair[1]); }))
-        return say<Code::sheets_touch>(faces);
-    std::set<std::pair<SolidId, SolidId>> solids;
-    for (const auto& [t, u] : crossings) {
-        const auto solid = [&](TriangleId triangle) {
-            const auto beside = brep.solids_beside(mesh.triangle_faces[triangle.index()]);
-            return beside[0].is_valid() ? beside[0] : beside[1];
-        };
-        solids.insert(std::minmax(solid(t), solid(u)));
-    }
-    const auto say_pair = [](const auto& pair) { return say<Code::pair>(pair.first, pair.second); };
-    return say<Code::solids_touch>(first_of(solids, say_pair), faces);
-}
-
-/// Shells and beams whose first element has its middle inside a solid that does not know them.
-std::vector<Message> warnings_of_enclosed(const Brep& brep, const Mesh& mesh) {
-    std::vector<std::unique_ptr<SolidProbe>> probes(brep.solid_count());
-    std::vector<Message> places;
-    const auto look = [&](Entity entity, const Vec3& p) {
-        for (std::size_t s = 0; s < probes.size(); ++s) {
-            if (!probes[s]) probes[s] = std::make_unique<SolidProbe>(brep, SolidId(s));
-            if (probes[s]->containment_of(p) != Containment::inside) continue;
-            places.push_back(say<Code::one_in_other>(entity, SolidId(s)));
-            return;
+    /// None where chains of their own may do better for edges beside one another; `kept` is given back then.
+    std::optional<SurfaceResult> run(Mesh& kept) {
+        for (;;) {
+            SurfaceResult result = fill(std::move(kept));
+            const Crossings found = crossing_triangles(brep_, result.mesh, before_.triangles, context_);
+            if (found.within.empty() && (opposite_ || !find_opposite(result)))
+                return finished(std::move(result), found.between);
+            const bool goes_on = found.within.empty() || refine(result.mesh, found.within);
+            kept = taken_back(std::move(result));
+            if (!goes_on) return std::nullopt;
         }
-    };
-    std::vector<char> is_seen_face(brep.face_count(), 0), is_seen_edge(brep.edge_count(), 0);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const FaceId face = mesh.triangle_faces[t];
-        if (!brep.is_free(face) || std::exchange(is_seen_face[face.index()], 1)) continue;
-        const auto& [a, b, c] = mesh.triangles[t];
-        look(entity_of(face), (mesh.point(a) + mesh.point(b) + mesh.point(c)) / 3);
     }
-    for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
-        const EdgeId edge = mesh.segment_edges[s];
-        if (!brep.is_free(edge) || std::exchange(is_seen_edge[edge.index()], 1)) continue;
-        look(entity_of(edge), (mesh.point(mesh.segments[s][0]) + mesh.point(mesh.segments[s][1])) / 2);
-    }
-    if (places.empty()) return {};
-    return {say<Code::shells_in_solids>(places)};
-}
 
-/// What lies beside the solids of a compound, or beside its faces where those are meshed.
-std::vector<Message> warnings_of_loose(const Brep& brep) {
-    if (brep.dimension() == Dimension::edges) return {};
-    std::vector<Entity> loose;
-    for (std::size_t f = 0; f < brep.face_count(); ++f)
-        if (!brep.is_meshed(FaceId(f))) loose.push_back(entity_of(FaceId(f)));
-    for (std::size_t e = 0; e < brep.edge_count(); ++e)
-        if (brep.faces_of(EdgeId(e)).empty() && !brep.is_meshed(EdgeId(e))) loose.push_back(entity_of(EdgeId(e)));
-    if (loose.empty()) return {};
-    if (brep.dimension() == Dimension::faces) return {say<Code::loose_beside_faces>(loose)};
-    return {say<Code::loose_beside_solids>(loose)};
-}
+  private:
+    bool may_lie_beside() const { return narrow_ != NarrowFaces::own_chains; }
+
+    SurfaceResult fill(Mesh kept) {
+        std::optional<SurfaceFiller> filler;
+        while (
+            !filler.emplace(brep_, merged_, wanted_, may_lie_beside() ? &beside_ : nullptr, std::move(kept), context_)
+                 .bound()) {
+            std::vector<SizeSource> shorter;
+            for (const auto& [first, second, piece] : filler->new_beside()) {
+                beside_.add(first, second);
+                may_be_halved_ = narrow_ == NarrowFaces::opposite_nodes;
+                if (narrow_ == NarrowFaces::shorter) shorter.push_back({piece.point, 0.5 * piece.size});
+            }
+            wanted_.limit(shorter);
+            kept = filler->take_mesh();
+            cut_back(kept, before_);
+        }
+        SurfaceResult result = filler->fill(opposite_ ? &*opposite_ : nullptr);
+        narrow_strips_ = filler->edges_of_narrow_strips();
+        result.kept = before_;
+        result.report.has_opposite_nodes = !beside_.is_empty();
+        result.report.may_be_halved = may_be_halved_;
+        result.report.fillings = ++fillings_;
+        return result;
+    }
+
+    /// Whether there are edges, or places across thin walls, that are to get nodes opposite one another. In a fan of
+    /// needles each pair may make the next one a strip, so that looking for them ends.
+    bool find_opposite(const SurfaceResult& result) {
+        constexpr int most_looks = 6;
+        opposite_ = find_opposite_places(brep_, result.mesh, before_.triangles, context_);
+        if (may_lie_beside() && looks_++ < most_looks) {
+            std::vector<std::array<EdgeId, 2>> edges = edges_of_flat_strips(result.mesh, before_.triangles);
+            edges.insert(edges.end(), opposite_->edges.begin(), opposite_->edges.end());
+            edges.insert(edges.end(), narrow_strips_.begin(), narrow_strips_.end());
+            if (add_beside(merged_, edges, beside_)) opposite_.reset();
+        }
+        return !opposite_ || has_places(*opposite_);
+    }
+
+    /// Asks for shorter edges where triangles cross; false where only other nodes may help.
+    bool refine(const Mesh& mesh, const TrianglePairs& crossings) {
+        watch_.note(crossings.size());
+        if (!watch_.is_worth_a_try(beside_.is_empty())) {
+            if (beside_.is_empty()) throw MeshError(say<Code::faces_cross>(places_of_crossings(mesh, crossings)));
+            return false;
+        }
+        const std::vector<Message> names = faces_that_cross(mesh, crossings);
+        if (std::find(refined_.begin(), refined_.end(), names) == refined_.end()) refined_.push_back(names);
+        ask_for_less(wanted_, mesh, crossings);
+        opposite_.reset();
+        return true;
+    }
+
+    SurfaceResult finished(SurfaceResult result, const TrianglePairs& between) const {
+        std::vector<Message>& warnings = result.report.warnings;
+        const auto add = [&](const std::vector<Message>& more) {
+            warnings.insert(warnings.end(), more.begin(), more.end());
+        };
+        add(merged_.warnings());
+        add(warnings_of(brep_, result.mesh, between));
+        for (const std::vector<Message>& names : refined_)
+            warnings.push_back(say<Code::finer_between_near_faces>(names));
+        return result;
+    }
+
+    const Brep& brep_;
+    const MergedEntities& merged_;
+    const MeshExtent before_;
+    const NarrowFaces narrow_;
+    RunContext& context_;
+    WantedLength wanted_;
+    EdgesBeside beside_;
+    std::vector<std::array<EdgeId, 2>> narrow_strips_;  ///< of the last filling
+    std::optional<OppositePlaces> opposite_;  ///< across thin walls of the last mesh; none while its edges may change
+    CrossingsWatch watch_;
+    std::vector<std::vector<Message>> refined_;
+    bool may_be_halved_ = false;
+    int looks_ = 0, fillings_ = 0;
+};
 
 }  // namespace
 
@@ -462,90 +473,12 @@ Mesh taken_back(SurfaceResult filled) {
 SurfaceResult fill_surface(const Brep& brep, const SizingField& sizing, Mesh kept, RunContext& context,
                            const SurfaceOptions& options) {
     const RunContext::Step step(context, "surface");
-    constexpr int attempts = 5, attempts_worth_more = 12;
-    constexpr int most_in_vain = 4;      // attempts in a row after which no fewer triangles cross than ever before
-    constexpr int looks_for_strips = 6;  // nodes opposite one another may make the next strip one, all along a shape
-    constexpr std::size_t few = 100, many = 1000, hopeless = 20000;
-    std::size_t crossings_at_first = 0, crossings_before = 0;
-    std::size_t fewest_crossings = std::numeric_limits<std::size_t>::max();
-    int times_grown = 0, in_vain = 0, looks = 0, fillings = 0;
     const MeshExtent before = extent_of(kept);
     const std::optional<MergedEntities> own = options.known ? std::nullopt : std::optional<MergedEntities>(brep);
     const MergedEntities& merged = options.known ? *options.known : *own;
-    WantedLength wanted(sizing);
-    EdgesBeside beside;
-    bool may_be_halved = false;
-    std::optional<OppositePlaces> opposite;  // across thin walls of the last mesh; none while its edges may change
-    std::vector<std::vector<Message>> refined;
-    for (int attempt = 1;; ++attempt) {
-        std::optional<SurfaceFiller> filler;
-        const EdgesBeside* known_beside = options.narrow == NarrowFaces::own_chains ? nullptr : &beside;
-        while (!filler.emplace(brep, merged, wanted, known_beside, std::move(kept), context).bound()) {
-            std::vector<SizeSource> shorter;
-            for (const auto& [first, second, piece] : filler->new_beside()) {
-                beside.add(first, second);
-                may_be_halved = options.narrow == NarrowFaces::opposite_nodes;
-                if (options.narrow == NarrowFaces::shorter) shorter.push_back({piece.point, 0.5 * piece.size});
-            }
-            wanted.limit(shorter);
-            kept = filler->take_mesh();
-            cut_back(kept, before);
-        }
-        SurfaceResult result = filler->fill(opposite ? &*opposite : nullptr);
-        result.kept = before;
-        result.report.has_opposite_nodes = !beside.is_empty();
-        result.report.may_be_halved = may_be_halved;
-        result.report.fillings = ++fillings;
-        const Crossings found = crossing_triangles(brep, result.mesh, before.triangles, context);
-        const TrianglePairs& crossings = found.within;
-        if (crossings.empty() && !opposite) {
-            opposite = find_opposite_places(brep, result.mesh, before.triangles, context);
-            if (known_beside && looks++ < looks_for_strips) {
-                std::vector<std::array<EdgeId, 2>> edges = edges_of_flat_strips(result.mesh, before.triangles);
-                edges.insert(edges.end(), opposite->edges.begin(), opposite->edges.end());
-                const std::vector<std::array<EdgeId, 2>> narrow = filler->edges_of_narrow_strips();
-                edges.insert(edges.end(), narrow.begin(), narrow.end());
-                if (add_beside(merged, edges, beside)) opposite.reset();
-            }
-            if (!opposite || has_places(*opposite)) {
-                kept = taken_back(std::move(result));
-                --attempt;
-                continue;
-            }
-        }
-        if (crossings.empty()) {
-            std::vector<Message> notes = merged.warnings();
-            if (!found.between.empty()) notes.push_back(warning_of_contact(brep, result.mesh, found.between));
-            for (const Message& line : warnings_of_enclosed(brep, result.mesh)) notes.push_back(line);
-            for (const Message& line : warnings_of_loose(brep)) notes.push_back(line);
-            result.report.warnings.insert(result.report.warnings.end(), notes.begin(), notes.end());
-            for (const std::vector<Message>& names : refined)
-                result.report.warnings.push_back(say<Code::finer_between_near_faces>(names));
-            return result;
-        }
-        const std::vector<FacePair> pairs = pairs_of(result.mesh, crossings);
-        // Thin walls part as the mesh gets finer; a shape that crosses itself only gets more crossings.
-        if (attempt == 1) crossings_at_first = crossings.size();
-        times_grown = attempt > 1 && crossings.size() > crossings_before ? times_grown + 1 : 0;
-        crossings_before = crossings.size();
-        in_vain = crossings.size() < fewest_crossings ? 0 : in_vain + 1;
-        fewest_crossings = std::min(fewest_crossings, crossings.size());
-        const bool is_hopeless = crossings.size() > hopeless || (times_grown >= 2 && crossings.size() > many);
-        const bool is_worth_more = crossings.size() < std::max(crossings_at_first, few) && beside.is_empty();
-        const bool is_last = attempt >= (is_worth_more ? attempts_worth_more : attempts) || in_vain >= most_in_vain;
-        if ((is_last || is_hopeless) && !beside.is_empty()) {
-            SurfaceOptions other = options;
-            other.known = &merged, other.narrow = NarrowFaces::own_chains;
-            return fill_surface(brep, sizing, taken_back(std::move(result)), context, other);
-        }
-        if (is_last || is_hopeless) throw MeshError(say<Code::faces_cross>(places_of(result.mesh, pairs)));
-        const std::vector<Message> names = names_of(pairs);
-        if (std::find(refined.begin(), refined.end(), names) == refined.end()) refined.push_back(names);
-        ask_for_less(wanted, result.mesh, crossings);
-        opposite.reset();
-        kept = std::move(result.mesh);
-        cut_back(kept, before);
-    }
+    if (auto result = SurfaceLoop(brep, sizing, merged, before, options.narrow, context).run(kept))
+        return *std::move(result);
+    return *SurfaceLoop(brep, sizing, merged, before, NarrowFaces::own_chains, context).run(kept);
 }
 
 }  // namespace featuremesh

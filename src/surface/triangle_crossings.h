@@ -12,14 +12,16 @@
 
 namespace featuremesh {
 
+using TrianglePairs = std::vector<std::array<TriangleId, 2>>;
+
 /// Pairs of triangles that have more in common than their shared nodes and side. Exact.
 struct Crossings {
     /// Of faces of one body, the first of them a new one (index at least `first_new`). Two triangles that lie in their
     /// planar CAD faces cross only when the shape does; such pairs are not looked for.
-    std::vector<std::array<TriangleId, 2>> within;
+    TrianglePairs within;
     /// Of faces that have no body in common: solids or sheets that touch or overlap. Also of two kept triangles, the
     /// first of them the later one.
-    std::vector<std::array<TriangleId, 2>> between;
+    TrianglePairs between;
 };
 Crossings crossing_triangles(const Brep& brep, const Mesh& mesh, std::size_t first_new, RunContext& context);
 
