@@ -13,26 +13,61 @@ namespace featuremesh {
 
 namespace {
 
-/// Nodes joined by tets.
-class NodeRegions {
+/// Numbers joined to sets, each named by its lowest.
+class JoinedSets {
   public:
-    explicit NodeRegions(std::size_t node_count) : parent_(node_count) { std::iota(parent_.begin(), parent_.end(), 0); }
+    explicit JoinedSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
     std::int32_t root(std::int32_t n) {
         while (parent_[std::size_t(n)] != n)
             n = parent_[std::size_t(n)] = parent_[std::size_t(parent_[std::size_t(n)])];
         return n;
     }
+    void join(std::int32_t m, std::int32_t n) {
+        if (parent_[std::size_t(m)] == parent_[std::size_t(n)]) return;
+        const auto a = root(m), b = root(n);
+        parent_[std::size_t(std::max(a, b))] = std::min(a, b);
+    }
+    /// Its nodes.
     void join(const std::array<NodeId, 4>& tet) {
-        for (int k = 1; k < 4; ++k) {
-            if (parent_[tet[0].index()] == parent_[tet[std::size_t(k)].index()]) continue;
-            const auto a = root(tet[0].value), b = root(tet[std::size_t(k)].value);
-            parent_[std::size_t(std::max(a, b))] = std::min(a, b);
-        }
+        for (std::size_t k = 1; k < 4; ++k) join(tet[0].value, tet[k].value);
     }
 
   private:
     std::vector<std::int32_t> parent_;
 };
+
+/// The piece of each of the tets, where those with a common node are one.
+std::vector<std::int32_t> pieces_by_nodes(const Mesh& mesh, std::span<const std::int32_t> tets) {
+    JoinedSets nodes(mesh.corner_count);
+    for (const std::int32_t t : tets) nodes.join(mesh.tets[std::size_t(t)]);
+    std::vector<std::int32_t> pieces;
+    for (const std::int32_t t : tets) pieces.push_back(nodes.root(mesh.tets[std::size_t(t)][0].value));
+    return pieces;
+}
+
+/// The piece of each of the tets, where those with a common facet are one: two solids may touch at an edge.
+std::vector<std::int32_t> pieces_by_facets(const Mesh& mesh, std::span<const std::int32_t> tets) {
+    struct Facet {
+        std::array<NodeId, 3> nodes;
+        std::int32_t place;  // of its tet in the list
+    };
+    std::vector<Facet> facets;
+    facets.reserve(4 * tets.size());
+    for (const std::int32_t t : tets) {
+        std::array<NodeId, 4> sorted = mesh.tets[std::size_t(t)];
+        std::sort(sorted.begin(), sorted.end());
+        const auto& [a, b, c, d] = sorted;
+        for (const std::array<NodeId, 3>& nodes : {std::array{a, b, c}, {a, b, d}, {a, c, d}, {b, c, d}})
+            facets.push_back({nodes, std::int32_t(facets.size() / 4)});
+    }
+    std::sort(facets.begin(), facets.end(), [](const Facet& f, const Facet& g) { return f.nodes < g.nodes; });
+    JoinedSets places(tets.size());
+    for (std::size_t f = 1; f < facets.size(); ++f)
+        if (facets[f].nodes == facets[f - 1].nodes) places.join(facets[f].place, facets[f - 1].place);
+    std::vector<std::int32_t> pieces;
+    for (std::size_t i = 0; i < tets.size(); ++i) pieces.push_back(places.root(std::int32_t(i)));
+    return pieces;
+}
 
 }  // namespace
 
@@ -206,6 +241,16 @@ SolidId KeptTets::solid_at(const std::vector<std::int32_t>& piece, const SolidLo
     return solid_at_centre(std::size_t(piece.front()), locator);
 }
 
+// Of tets of an old solid, those that are in one new solid. Where they may be in several, two of these may touch at
+// nodes that were inside the old one or on its surface, and its tets on both sides still share them.
+std::vector<std::int32_t> KeptTets::pieces_of(std::span<const std::int32_t> tets, SolidId solid) const {
+    const auto first = successors_.begin() + std::ptrdiff_t(solid.index() * regions_.size());
+    const bool may_be_in_several =
+        std::any_of(first, first + std::ptrdiff_t(regions_.size()),
+                    [](const std::vector<char>& may_be) { return std::count(may_be.begin(), may_be.end(), 1) > 1; });
+    return may_be_in_several ? pieces_by_facets(old_, tets) : pieces_by_nodes(old_, tets);
+}
+
 // Tets at the rim that belong together, each list in order.
 std::vector<std::vector<std::int32_t>> KeptTets::pieces_of_rim(SolidId solid) const {
     std::vector<std::int32_t> mine;
@@ -213,14 +258,12 @@ std::vector<std::vector<std::int32_t>> KeptTets::pieces_of_rim(SolidId solid) co
         if (old_.tet_solids[std::size_t(t)] == solid) mine.push_back(t);
     std::vector<std::vector<std::int32_t>> pieces;
     if (mine.empty()) return pieces;
-    NodeRegions regions(old_.corner_count);
-    for (const std::int32_t t : mine) regions.join(old_.tets[std::size_t(t)]);
-    std::map<std::int32_t, std::size_t> piece_of;
-    for (const std::int32_t t : mine) {
-        const auto [piece, is_new] =
-            piece_of.try_emplace(regions.root(old_.tets[std::size_t(t)][0].value), pieces.size());
+    const std::vector<std::int32_t> piece_of = pieces_of(mine, solid);
+    std::map<std::int32_t, std::size_t> place_of;
+    for (std::size_t i = 0; i < mine.size(); ++i) {
+        const auto [place, is_new] = place_of.try_emplace(piece_of[i], pieces.size());
         if (is_new) pieces.emplace_back();
-        pieces[piece->second].push_back(t);
+        pieces[place->second].push_back(mine[i]);
     }
     return pieces;
 }
@@ -245,7 +288,7 @@ void KeptTets::drop_islands(const std::vector<std::vector<std::int32_t>>& rims) 
             near.push_back(t);
     }
     for (std::size_t s = 0; s < solid_count_; ++s) {
-        NodeRegions regions(old_.corner_count);
+        JoinedSets regions(old_.corner_count);
         for (const std::size_t t : near)
             if (old_.tet_solids[t] == SolidId(s)) regions.join(old_.tets[t]);
         std::vector<std::int32_t> gone;
@@ -278,23 +321,22 @@ bool KeptTets::is_settled() const {
     return true;
 }
 
-// One point for each region of kept tets that share nodes.
+// One point for each piece of kept tets.
 void KeptTets::settle_everywhere(const Brep& new_brep) {
     const SolidLocator locator(new_brep);
     solids_.assign(is_kept_.size(), SolidId());
     for (std::size_t s = 0; s < solid_count_; ++s) {
-        NodeRegions regions(old_.corner_count);
-        const auto is_mine = [&](std::size_t t) { return is_kept_[t] && old_.tet_solids[t] == SolidId(s); };
+        std::vector<std::int32_t> mine;
         for (std::size_t t = 0; t < is_kept_.size(); ++t)
-            if (is_mine(t)) regions.join(old_.tets[t]);
-        constexpr std::int32_t unknown = -2;
-        std::vector<std::int32_t> solid_of_root(old_.corner_count, unknown);
-        for (std::size_t t = 0; t < is_kept_.size(); ++t) {
-            if (!is_mine(t)) continue;
-            std::int32_t& solid = solid_of_root[std::size_t(regions.root(old_.tets[t][0].value))];
-            if (solid == unknown) solid = solid_at_centre(t, locator).value;
-            solids_[t] = SolidId(solid);
-            is_kept_[t] = solid >= 0;
+            if (is_kept_[t] && old_.tet_solids[t] == SolidId(s)) mine.push_back(std::int32_t(t));
+        const std::vector<std::int32_t> piece_of = pieces_of(mine, SolidId(s));
+        std::map<std::int32_t, SolidId> solid_of_piece;
+        for (std::size_t i = 0; i < mine.size(); ++i) {
+            const std::size_t t = std::size_t(mine[i]);
+            const auto [solid, is_new] = solid_of_piece.try_emplace(piece_of[i]);
+            if (is_new) solid->second = solid_at_centre(t, locator);
+            solids_[t] = solid->second;
+            is_kept_[t] = solid->second.is_valid();
         }
     }
 }

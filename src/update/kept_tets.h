@@ -70,6 +70,7 @@ class KeptTets {
     void find_successors(const Brep& old_brep, const Brep& new_brep);
     bool settle_at_rim(const Brep& new_brep);
     SolidId solid_at(const std::vector<std::int32_t>& piece, const SolidLocator& locator) const;
+    std::vector<std::int32_t> pieces_of(std::span<const std::int32_t> tets, SolidId solid) const;
     std::vector<std::vector<std::int32_t>> pieces_of_rim(SolidId solid) const;
     void drop_islands(const std::vector<std::vector<std::int32_t>>& rims);
     bool is_settled() const;

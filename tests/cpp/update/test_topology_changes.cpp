@@ -130,6 +130,17 @@ RawDocument under_tip(double x, double height = 8) {
     return document.fuse("TipFuse", "Plate", "Tip").finish();
 }
 
+/// Two blocks that touch along an edge. A long one on top of both makes them one solid, a short one does not.
+RawDocument with_bridge(double length) {
+    return PartDocument()
+        .box("One", {0, 0, 0}, {30, 20, 10})
+        .box("Other", {30, 20, 0}, {30, 20, 10})
+        .fuse("Both", "One", "Other")
+        .box("Bridge", {15, 15, 10}, {length, 10, 4})
+        .fuse("Bridged", "Both", "Bridge")
+        .finish();
+}
+
 PartMeshResult meshed(const RawDocument& document, double size = 2.5) {
     MeshOptions options;
     options.sizing.size = size;
@@ -207,6 +218,10 @@ TEST_CASE("a row of holes grows and shrinks") { check_there_and_back(with_row(3)
 TEST_CASE("a trench cuts the part in two, and it is joined again") {
     check_there_and_back(with_trench(3), with_trench(8), 0.5);
     check_there_and_back(with_trench(0), with_trench(8), 0.5);
+}
+
+TEST_CASE("two blocks that touch along an edge are joined by a third, and parted") {
+    check_there_and_back(with_bridge(20), with_bridge(10), 0.5);
 }
 
 TEST_CASE("two pockets are joined by a third, and parted") {
