@@ -12,6 +12,7 @@
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <queue>
 #include <string>
@@ -192,56 +193,89 @@ SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::spa
 
 namespace {
 
-/// A cube of space and how many more tets than at the global size it would have if it were all material.
-struct Cell {
-    Vec3 center;
-    double extra;
-};
-
-Box octant_of(const Box& box, int octant) {
+Box octant_of(const Box& box, unsigned octant) {
     const Vec3 half = box.size() * 0.5;
     const Vec3 low{box.low.x + (octant & 1 ? half.x : 0), box.low.y + (octant & 2 ? half.y : 0),
                    box.low.z + (octant & 4 ? half.z : 0)};
     return {low, low + half};
 }
 
+/// A cube of space and how many more tets than at the global size it would have if it were all material.
+struct Cell {
+    std::uint32_t way;  ///< down to it: three bits for the octant at each depth, the first one in front
+    Vec3 center;
+    double extra;
+};
+
 /// Halves cells until the field hardly changes within one; cells at the global size have nothing extra.
 class CellCollector {
   public:
-    CellCollector(const SizingField& sizing, const RunContext& context)
-        : sizing_(sizing), slope_(sizing.growth() - 1), watch_(context) {}
+    CellCollector(const Box& box, const SizingField& sizing, const RunContext& context)
+        : box_(box), sizing_(sizing), slope_(sizing.growth() - 1), watch_(context) {}
 
-    /// As deep as so many looks allow: a size far too small would be halved down to for minutes.
-    std::vector<Cell> collect(const Box& box) {
-        constexpr int deepest = 9;
-        for (deepest_ = deepest;; --deepest_) {
-            cells_.clear(), looks_ = 0;
-            look_at(box, 0);
-            if (looks_ < most_looks) return std::move(cells_);
+    /// Depth by depth, as deep as so many looks allow: a size far too small would be halved down to for minutes.
+    /// Neighbours are near one another in the list.
+    std::vector<Cell> collect() {
+        constexpr std::size_t most_looks = 1 << 21;
+        std::vector<std::uint32_t> ways{0};
+        std::size_t looks = 1;
+        for (int depth = 0; !ways.empty(); ++depth) {
+            const std::vector<Look> coarse = look_at(ways, depth);
+            ways.clear();
+            if (depth < deepest && looks + 8 * coarse.size() < most_looks)
+                for (const Look& look : coarse)
+                    for (std::uint32_t octant = 0; octant < 8; ++octant)
+                        ways.push_back(look.way | octant << shift_at(depth));
+            else
+                for (const Look& look : coarse) add(look, depth);
+            looks += ways.size();
         }
+        std::sort(cells_.begin(), cells_.end(), [](const Cell& a, const Cell& b) { return a.way < b.way; });
+        return std::move(cells_);
     }
 
   private:
-    static constexpr int most_looks = 1 << 21;
+    static constexpr int deepest = 9;
+    struct Look {
+        std::uint32_t way;
+        double h;
+    };
 
-    void look_at(const Box& box, int depth) {
-        watch_();
-        if (++looks_ >= most_looks) return;
-        const Vec3 center = box.center();
-        const double h = sizing_.at(center), reach = slope_ * 0.5 * box.diagonal(), size = sizing_.largest();
-        if (depth < deepest_ && reach > 0.3 * h && h - reach < size) {
-            for (int octant = 0; octant < 8; ++octant) look_at(octant_of(box, octant), depth + 1);
-            return;
-        }
-        const Vec3 s = box.size();
-        const double extra = s.x * s.y * s.z * (1 / (h * h * h) - 1 / (size * size * size));
-        if (extra > 0) cells_.push_back({center, extra});
+    static int shift_at(int depth) { return 3 * (deepest - 1 - depth); }
+
+    Box box_at(std::uint32_t way, int depth) const {
+        Box box = box_;
+        for (int d = 0; d < depth; ++d) box = octant_of(box, way >> shift_at(d) & 7);
+        return box;
     }
 
+    /// Those in which the field changes; the others are added.
+    std::vector<Look> look_at(const std::vector<std::uint32_t>& ways, int depth) {
+        std::vector<Look> coarse;
+        for (const std::uint32_t way : ways) {
+            watch_();
+            const Box box = box_at(way, depth);
+            const double h = sizing_.at(box.center()), reach = slope_ * 0.5 * box.diagonal();
+            if (reach > 0.3 * h && h - reach < sizing_.largest())
+                coarse.push_back({way, h});
+            else
+                add({way, h}, depth);
+        }
+        return coarse;
+    }
+
+    void add(const Look& look, int depth) {
+        const Box box = box_at(look.way, depth);
+        const double size = sizing_.largest();
+        const Vec3 s = box.size();
+        const double extra = s.x * s.y * s.z * (1 / (look.h * look.h * look.h) - 1 / (size * size * size));
+        if (extra > 0) cells_.push_back({look.way, box.center(), extra});
+    }
+
+    const Box box_;
     const SizingField& sizing_;
     const double slope_;
     RoundWatch watch_;
-    int deepest_ = 0, looks_ = 0;
     std::vector<Cell> cells_;
 };
 
@@ -297,7 +331,7 @@ bool may_ask_for_more_tets(const Brep& brep, const SizingField& sizing, double m
         const Bounded worst = boxes.top();
         boxes.pop();
         sum -= worst.most_tets;
-        for (int octant = 0; octant < 8; ++octant) {
+        for (unsigned octant = 0; octant < 8; ++octant) {
             const Bounded part = bounded(octant_of(worst.box, octant), sizing);
             sum += part.most_tets;
             boxes.push(part);
@@ -328,7 +362,7 @@ double estimate_tets(const Brep& brep, const SizingField& sizing, const RunConte
                                     least_per_square * squares);
     double finer = 0;  // cubes more
     if (!sizing.is_uniform()) {
-        const std::vector<Cell> cells = CellCollector(sizing, context).collect(brep.box());
+        const std::vector<Cell> cells = CellCollector(brep.box(), sizing, context).collect();
         double extra = 0;
         for (const Cell& cell : cells) extra += cell.extra;
         if (extra > 0) finer = extra * share_inside(brep, cells, extra, context);
