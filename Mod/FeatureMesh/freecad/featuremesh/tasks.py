@@ -239,14 +239,21 @@ def _progress(step, share):
 
 
 def _size_in_words(report):
+    return "%d nodes and %d elements%s in %.2f s, %.2f s of it meshing" % (
+        report["nodes"], element_count(report), _angles_in_words(report), report["seconds"]["total"], report["seconds"]["engine_total"])
+
+
+def _angles_in_words(report):
+    """Nothing of segments, which have none."""
     quality = report["quality"]
+    if report.get("dimension") == "edges":
+        return ""
     forced = ""
     if quality["forced_by_cad"] == element_count(report):
         forced = ", the part's own details force such angles everywhere"
     elif quality["forced_by_cad"]:
         forced = ", %.1f deg where the part's own details do not force less" % quality["min_dihedral_unforced"]
-    return "%d nodes and %d elements (smallest angle %.1f deg%s) in %.2f s, %.2f s of it meshing" % (
-        report["nodes"], element_count(report), quality["min_dihedral"], forced, report["seconds"]["total"], report["seconds"]["engine_total"])
+    return " (smallest angle %.1f deg%s)" % (quality["min_dihedral"], forced)
 
 
 def solution_in_words(report):

@@ -453,7 +453,7 @@ class MeshPanel:
         self._show_status()
         if mesh.TetCount:
             lines = [in_words(said("{nodes:count} {nodes:node|nodes}, {elements:count} {elements:element|elements} in {seconds:text}\u00a0s",
-                                   nodes=mesh.NodeCount, elements=mesh.TetCount, seconds=as_shown("%.2f" % mesh.Seconds))), _angles_in_words(mesh)]
+                                   nodes=mesh.NodeCount, elements=mesh.TetCount, seconds=as_shown("%.2f" % mesh.Seconds))), *_angles_in_words(mesh)]
             if mesh.KeptNodes:
                 lines.append(translate("FeatureMesh", "kept by the last update: %d %% of the nodes, %d %% of the elements")
                              % (mesh.KeptNodes, mesh.KeptTets))
@@ -510,15 +510,18 @@ def _row_of_details(length):
 
 
 def _angles_in_words(mesh):
-    """How good the elements are, and where no others could be."""
-    quality = json.loads(mesh.Report or "{}").get("quality", {})
+    """A line on how good the elements are, and where no others could be; none of segments, which have no angles."""
+    report = json.loads(mesh.Report or "{}")
+    if report.get("dimension") == "edges":
+        return []
+    quality = report.get("quality", {})
     forced, smallest, ratio = quality.get("forced_by_cad", 0), mesh.MinDihedral.Value, mesh.MeanRadiusRatio
     if not forced:
-        return as_shown(translate("FeatureMesh", "smallest angle %.1f deg, mean radius ratio %.3f") % (smallest, ratio))
+        return [as_shown(translate("FeatureMesh", "smallest angle %.1f deg, mean radius ratio %.3f") % (smallest, ratio))]
     if forced == mesh.TetCount:
-        return as_shown(translate("FeatureMesh", "smallest angle %.1f deg, as the part's own angles everywhere force; mean radius ratio %.3f") % (smallest, ratio))
-    return as_shown(translate("FeatureMesh", "smallest angle %.1f deg, %.1f deg where the part's own angles do not force less; mean radius ratio %.3f")
-                    % (smallest, quality["min_dihedral_unforced"], ratio))
+        return [as_shown(translate("FeatureMesh", "smallest angle %.1f deg, as the part's own angles everywhere force; mean radius ratio %.3f") % (smallest, ratio))]
+    return [as_shown(translate("FeatureMesh", "smallest angle %.1f deg, %.1f deg where the part's own angles do not force less; mean radius ratio %.3f")
+                     % (smallest, quality["min_dihedral_unforced"], ratio))]
 
 
 def _first(remarks):
