@@ -25,7 +25,7 @@ namespace featuremesh {
 namespace {
 
 constexpr double smallest_wanted_deg = 10;
-constexpr double hopeless_below_deg = 1.5;  ///< shorter edges do not mend what is so flat
+constexpr double hopeless_below_deg = 0.5;  ///< the shortest edges asked for leave less than 3 degrees of it
 constexpr std::size_t one_tet_in = 100;     ///< where more are small, it is not for a few places
 constexpr std::size_t few_tets = 50;        ///< so many may be small in any mesh
 constexpr double most_tets_more = 1.25;

@@ -376,6 +376,20 @@ TEST_CASE("small angles of a large mesh are mended where they are, with the same
     }
 }
 
+// The wall is 0.03 thick where it is thinnest.
+TEST_CASE("angles of about a degree at a round pocket close to a side are mended, too") {
+    const RawDocument pocket = PartDocument()
+                                   .box("Block", {0, 0, 0}, {40, 30, 6})
+                                   .cylinder("Pocket", {4.93, 15, 4}, 4.9, 3)
+                                   .cut("Part", "Block", "Pocket")
+                                   .finish();
+    for (const int order : {1, 2}) {
+        const PartMeshResult result = meshed(pocket, options_of(4, order));
+        check_valid(*result.part_mesh);
+        CHECK(result.report.quality.min_dihedral_unforced > 4);
+    }
+}
+
 TEST_CASE("a small mesh may grow by more for its angles") {
     for (const int order : {1, 2}) {
         const PartMeshResult result = meshed(ribbed_block(0.25), options_of(6, order));
