@@ -5,12 +5,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "brep/enclosure.h"
 #include "brep/occt_geometry.h"
 #include "core/geometry.h"
 #include "core/sort_once.h"
 #include "features/feature_tree.h"
 #include "mesh/mesh.h"
-#include "update/enclosure.h"
 
 namespace featuremesh {
 

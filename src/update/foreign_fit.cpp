@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "brep/enclosure.h"
 #include "core/errors.h"
 #include "core/geometry.h"
 #include "core/ids.h"
@@ -12,7 +13,6 @@
 #include "mesh/second_order.h"
 #include "mesh/side_table.h"
 #include "mesh/triangle_uses.h"
-#include "update/enclosure.h"
 
 namespace featuremesh {
 

@@ -4,12 +4,12 @@
 #include <TopoDS_Face.hxx>
 #include <limits>
 
+#include "brep/enclosure.h"
 #include "brep/occt_geometry.h"
 #include "mesh/second_order.h"
 #include "mesh/side_table.h"
 #include "mesh/triangle_uses.h"
 #include "surface/projection.h"
-#include "update/enclosure.h"
 #include "update/shape_coverage.h"
 
 namespace featuremesh {

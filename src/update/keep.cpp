@@ -5,10 +5,10 @@
 #include <cmath>
 #include <optional>
 
+#include "brep/enclosure.h"
 #include "core/dimension.h"
 #include "mesh/second_order.h"
 #include "update/carried_nodes.h"
-#include "update/enclosure.h"
 #include "update/entity_finder.h"
 #include "update/kept_entities.h"
 #include "update/kept_mesh.h"

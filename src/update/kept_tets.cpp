@@ -5,8 +5,8 @@
 #include <map>
 #include <numeric>
 
+#include "brep/enclosure.h"
 #include "mesh/tets_at_nodes.h"
-#include "update/enclosure.h"
 #include "update/kept_entities.h"
 
 namespace featuremesh {

@@ -6,9 +6,9 @@
 #include <TopoDS_Face.hxx>
 #include <cmath>
 
+#include "brep/enclosure.h"
 #include "brep/occt_geometry.h"
 #include "mesh/second_order.h"
-#include "update/enclosure.h"
 
 namespace featuremesh {
 

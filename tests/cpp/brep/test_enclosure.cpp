@@ -9,8 +9,8 @@
 #include <gp_Pln.hxx>
 #include <random>
 
+#include "brep/enclosure.h"
 #include "catch.h"
-#include "update/enclosure.h"
 
 using namespace featuremesh;
 
