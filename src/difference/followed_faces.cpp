@@ -17,6 +17,7 @@ namespace featuremesh {
 
 namespace {
 constexpr double most_of_it = 0.3;  // share of a face that two faces have in common when one is a piece of the other
+constexpr double nearby = 0.2;      // of a face's diagonal: how far one may have gone, or grown, that is the same one
 
 template <class T>
 bool contains(const std::vector<T>& list, const T& value) {
@@ -37,7 +38,8 @@ class FaceFollower {
     }
 
     std::vector<FollowedFace> run() {
-        if (const auto motion = motion_of_all()) follow_motion(*motion);
+        motion_ = motion_of_all();
+        if (motion_) follow_motion(*motion_);
         for (std::size_t f = 0; f < followed_.size(); ++f) follow_kept(FaceId(f));
         const std::vector<char> kept = claimed_;
         for (std::size_t f = 0; f < followed_.size(); ++f)
@@ -160,6 +162,8 @@ class FaceFollower {
 
     // By its place
 
+    RigidMotion motion() const { return motion_.value_or(RigidMotion{}); }
+
     /// The motion of the part as a whole; none when it stayed or only some of it moved.
     std::optional<RigidMotion> motion_of_all() const {
         const auto old_id = old_.tree.find(old_.tree.object), new_id = new_.tree.find(new_.tree.object);
@@ -220,7 +224,7 @@ class FaceFollower {
 
     /// Gives each new face that is of no old one to the one that it is most like. Returns whether there was one.
     bool follow_neighbours() {
-        std::map<FaceId, std::vector<FaceId>> given;
+        std::map<FaceId, std::vector<Candidate>> given;
         for (std::size_t g = 0; g < taken_.size(); ++g) {
             if (taken_[g]) continue;
             FaceId best;
@@ -233,10 +237,60 @@ class FaceFollower {
                 else
                     second = std::max(second, like);
             }
-            if (most > 0 && most > second) given[best].push_back(FaceId(g));
+            if (most > 0 && most > second) given[best].push_back({FaceId(g), most});
         }
-        for (const auto& [f, faces] : given) follow(f, faces, FollowedBy::neighbours);
-        return !given.empty();
+        bool followed = false;
+        for (const auto& [f, candidates] : given) {
+            const std::vector<FaceId> faces = most_like(f, candidates);
+            if (faces.empty()) continue;
+            follow(f, faces, FollowedBy::neighbours);
+            for (const Candidate& other : candidates) taken_[other.face.index()] = 1;
+            followed = true;
+        }
+        return followed;
+    }
+
+    struct Candidate {
+        FaceId face;
+        double likeness = 0;
+    };
+    struct Pieces {
+        std::vector<FaceId> faces;
+        double likeness = 0;
+        Box box;
+    };
+
+    /// Pieces of one face lie on one surface. Of candidates on several those that are, together, where and as large as
+    /// the old face was, then those most like it by their neighbours; none where that leaves a choice.
+    std::vector<FaceId> most_like(FaceId f, const std::vector<Candidate>& candidates) const {
+        std::vector<Pieces> all;
+        for (const Candidate& candidate : candidates) {
+            auto at = std::find_if(all.begin(), all.end(),
+                                   [&](const Pieces& p) { return on_one_surface(p.faces.front(), candidate.face); });
+            if (at == all.end()) at = all.insert(at, Pieces{});
+            at->faces.push_back(candidate.face);
+            at->likeness = std::max(at->likeness, candidate.likeness);
+            at->box.add(box_of(new_.brep.face(candidate.face)));
+        }
+        const Box box = box_after(old_.brep.face(f), motion());
+        const auto rank = [&](const Pieces& p) { return std::pair(is_nearby_and_as_large(box, p.box), p.likeness); };
+        const auto best = std::max_element(all.begin(), all.end(),
+                                           [&](const Pieces& a, const Pieces& b) { return rank(a) < rank(b); });
+        const bool is_choice = std::any_of(all.begin(), all.end(),
+                                           [&](const Pieces& p) { return &p != &*best && rank(p) == rank(*best); });
+        return is_choice ? std::vector<FaceId>{} : best->faces;
+    }
+
+    bool on_one_surface(FaceId a, FaceId b) const {
+        Box box = box_of(new_.brep.face(a));
+        box.add(box_of(new_.brep.face(b)));
+        return same_underlying(underlying_of(new_.brep.face(a)), underlying_of(new_.brep.face(b)),
+                               {boolean_tolerance, box.center(), 0.5 * box.diagonal()});
+    }
+
+    static bool is_nearby_and_as_large(const Box& was, const Box& is) {
+        const double size = was.diagonal();
+        return length(was.center() - is.center()) <= nearby * size && std::abs(is.diagonal() - size) <= nearby * size;
     }
 
     /// Can both come from one feature, as far as their own volumes tell, with a surface of the same kind?
@@ -260,6 +314,7 @@ class FaceFollower {
     const MadeFaces& was_;
     const MadeFaces& is_;
     const std::vector<std::vector<int>> partners_;
+    std::optional<RigidMotion> motion_;
     std::vector<FollowedFace> followed_;
     std::vector<FaceChange> in_place_;
     std::vector<char> taken_;                   // by new FaceId: is it one of an old face?

@@ -53,6 +53,10 @@ void add_once(std::vector<ElementName>& sorted, const ElementName& value) {
 }
 }  // namespace
 
+Box box_after(const TopoDS_Face& face, const RigidMotion& motion) {
+    return box_of(face.Moved(TopLoc_Location(to_trsf(motion))));
+}
+
 std::vector<Vec3> points_over(const TopoDS_Face& face) {
     std::vector<Vec3> points;
     for (const SurfacePoint& p : points_in_trim(face)) points.push_back(p.point);

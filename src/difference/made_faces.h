@@ -96,6 +96,9 @@ class MadeFaces {
     mutable std::vector<std::unique_ptr<std::vector<int>>> made_;  // by FaceId
 };
 
+/// The box of a face where a motion takes it.
+Box box_after(const TopoDS_Face& face, const RigidMotion& motion);
+
 /// Points of a face that are spread over it, at most 36.
 std::vector<Vec3> points_over(const TopoDS_Face& face);
 

@@ -25,18 +25,9 @@ class Numbering:
         self._old_shape, self._new_shape = old_shape, new_shape
         self._around = {}  # kind -> (members before, their faces, members after, their faces)
         for face in faces:
-            for name in self._told(face):
+            for name in face["new_faces"]:
                 self._became[face["old_face"]].add(name)
                 self._was[name].append(face["old_face"])
-
-    def _told(self, face):
-        """What the engine says that a face became. What it tells by the faces around alone may be strangers, such as two new holes in place of one, unless
-        they lie on one surface."""
-        names = face["new_faces"]
-        if face["by"] != "neighbours" or _are_pieces(names, self._new_shape):
-            return names
-        alike = [name for name in names if self.may_be(face["old_face"], name)]
-        return alike if len(alike) == 1 else []
 
     def now(self, name):
         """Sorted names of what the sub-element became; empty when it is gone or cannot be told."""
@@ -126,19 +117,6 @@ def _places_among(members):
     middle = sum(places[1:], places[0]) * (1 / len(places))
     reach = max((place - middle).Length for place in places) or 1
     return [(place - middle) * (1 / reach) for place in places]
-
-
-def _are_pieces(names, shape):
-    """Do these faces lie on one surface?"""
-    first, *others = [shape.getElement(name) for name in names]
-    tolerance = _SAME_PLACE * shape.BoundBox.DiagonalLength
-    points = [point for face in others for point in _points_of(face)]
-    return all((first.Surface.value(*first.Surface.parameter(point)) - point).Length <= tolerance for point in points)
-
-
-def _points_of(face):
-    low_u, high_u, low_v, high_v = face.ParameterRange
-    return [face.valueAt(u, v) for u in (low_u, (low_u + high_u) / 2, high_u) for v in (low_v, (low_v + high_v) / 2, high_v)]
 
 
 def _lies_on(piece, edge, tolerance):

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "difference/followed_faces.h"
+
+#include "catch.h"
+#include "difference/sample_parts.h"
+#include "difference/underlying_geometry.h"
+
+using namespace featuremesh;
+using namespace featuremesh::test;
+
+namespace {
+struct Bore {
+    double x, y, radius;
+};
+
+/// A plate with holes through it, as a file tells it: without features.
+PartState imported(const std::vector<Bore>& bores, const std::vector<Primitive>& more = {}) {
+    std::vector<Primitive> steps{{"Plate", Effect::adds, {box({0, 0, 0}, {60, 40, 10})}, {}}};
+    for (const Bore& bore : bores)
+        steps.push_back({"Bore", Effect::removes, {cylinder({bore.x, bore.y, -1}, {0, 0, 1}, bore.radius, 12)}, {}});
+    steps.insert(steps.end(), more.begin(), more.end());
+    PartState state = part({{"Import", Effect::adds, {evaluate(steps)}, {}}});
+    state.tree.features[0].role = Role::base;
+    state.tree.features[0].volume_source = "shape";
+    return state;
+}
+
+std::vector<FaceId> walls_of(const PartState& state) {
+    std::vector<FaceId> walls;
+    for (std::size_t f = 0; f < state.brep.face_count(); ++f)
+        if (underlying_of(state.brep.face(FaceId(f))).kind == SurfaceKind::cylinder) walls.push_back(FaceId(f));
+    return walls;
+}
+
+/// Radii of what the one hole of an import became.
+std::vector<double> radii_of_followed(const std::vector<Bore>& olds, const std::vector<Bore>& news,
+                                      const std::vector<Primitive>& more = {}) {
+    const PartState was = imported(olds), is = imported(news, more);
+    const std::vector<FollowedFace> followed = follow_faces(was, {}, is, {});
+    std::vector<double> radii;
+    for (const FaceId f : followed[walls_of(was).at(0).index()].new_faces)
+        radii.push_back(underlying_of(is.brep.face(f)).radius);
+    return radii;
+}
+using Radii = std::vector<double>;
+}  // namespace
+
+TEST_CASE("a hole of an import is not followed to two") {
+    CHECK(radii_of_followed({{20, 20, 6}}, {{22, 20, 6}, {50, 10, 3}}) == Radii{6});
+    CHECK(radii_of_followed({{20, 20, 6}}, {{20.5, 20, 6}, {45, 10, 6}}) == Radii{6});
+    CHECK(radii_of_followed({{20, 20, 6}}, {{40, 20, 6}, {50, 10, 6}}) == Radii{});
+}
+
+TEST_CASE("a hole of an import that a slot splits is followed to its pieces alone") {
+    const Primitive slot{"Slot", Effect::removes, {box({10, 19.5, -1}, {21, 1, 12})}, {}};
+    CHECK(radii_of_followed({{20, 20, 6}}, {{20.5, 20, 6}}, {slot}) == Radii{6, 6});
+    CHECK(radii_of_followed({{20, 20, 6}}, {{20.5, 20, 6}, {50, 10, 3}}, {slot}) == Radii{6, 6});
+}
