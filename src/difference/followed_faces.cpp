@@ -12,6 +12,7 @@
 #include "difference/made_partners.h"
 #include "difference/place_partners.h"
 #include "difference/underlying_geometry.h"
+#include "features/feature_tree.h"
 
 namespace featuremesh {
 
@@ -293,12 +294,22 @@ class FaceFollower {
         return length(was.center() - is.center()) <= nearby * size && std::abs(is.diagonal() - size) <= nearby * size;
     }
 
-    /// Can both come from one feature, as far as their own volumes tell, with a surface of the same kind?
+    /// Can both come from one feature, as far as their own volumes tell, with a surface of the same kind? Of what no
+    /// feature made, places and sizes must do.
     bool may_be(FaceId f, FaceId g) const {
-        if (underlying_of(old_.brep.face(f)).kind != underlying_of(new_.brep.face(g)).kind) return false;
+        const TopoDS_Face &was = old_.brep.face(f), &is = new_.brep.face(g);
+        if (underlying_of(was).kind != underlying_of(is).kind) return false;
         const std::set<std::string> olds = features_of(was_, f), news = features_of(is_, g);
-        return olds.empty() || news.empty() ||
-               std::any_of(olds.begin(), olds.end(), [&](const std::string& name) { return news.contains(name); });
+        if (!olds.empty() && !news.empty() &&
+            std::none_of(olds.begin(), olds.end(), [&](const std::string& name) { return news.contains(name); }))
+            return false;
+        return is_made(old_.tree, olds) || is_made(new_.tree, news) || as_wide_or_there(was, is, motion());
+    }
+
+    /// By a feature's own volume; that of an import is all of the part.
+    static bool is_made(const FeatureTree& tree, const std::set<std::string>& names) {
+        return std::any_of(names.begin(), names.end(),
+                           [&](const std::string& name) { return !tree.is_import(*tree.find(name)); });
     }
 
     static std::set<std::string> features_of(const MadeFaces& made, FaceId f) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "brep/occt_geometry.h"
 #include "core/geometry.h"
 #include "core/ids.h"
 #include "core/tolerances.h"
@@ -122,7 +123,27 @@ class PieceMatcher {
         if (from.size() != to.size()) return;
         for (std::size_t i = 0; i < from.size(); ++i)
             if (!points_likewise(old_face(from[i]).underlying, new_face(to[i]).underlying, motion)) return;
-        for (std::size_t i = 0; i < from.size(); ++i) add(from[i], to[i]);
+        const bool is_import = was_.state().tree.is_import(old_piece(o).feature);
+        if (is_import && has_another_order(from, to, motion)) return;
+        for (std::size_t i = 0; i < from.size(); ++i)
+            if (!is_import || as_wide_or_there(old_face(from[i]).face, new_face(to[i]).face, motion))
+                add(from[i], to[i]);
+    }
+
+    /// Another file may list the same faces in another order: does one lie where another one lay?
+    bool has_another_order(const std::vector<int>& from, const std::vector<int>& to, const RigidMotion& motion) const {
+        const Sameness same = sameness();
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            const MadeFace& was = old_face(from[i]);
+            const UnderlyingSurface underlying = moved(was.underlying, to_trsf(motion));
+            const Box box = box_after(was.face, motion);
+            const auto lies_there = [&](int g) {
+                return new_face(g).probe.box().is_close_to(box, boolean_tolerance) &&
+                       same_underlying(underlying, new_face(g).underlying, same);
+            };
+            if (!lies_there(to[i]) && std::any_of(to.begin(), to.end(), lies_there)) return true;
+        }
+        return false;
     }
 
     static bool points_likewise(const UnderlyingSurface& was, const UnderlyingSurface& is, const RigidMotion& motion) {

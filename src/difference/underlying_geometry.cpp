@@ -147,6 +147,14 @@ bool same_underlying(const UnderlyingSurface& a, const UnderlyingSurface& b, con
     return false;
 }
 
+bool is_as_wide(const UnderlyingSurface& a, const UnderlyingSurface& b) {
+    constexpr double same_radius = 1e-5, same_angle = 1e-6;  // mm, rad: as files and rebuilt shapes keep them
+    if (a.kind != b.kind) return false;
+    const bool is_cone = a.kind == SurfaceKind::cone;
+    return (is_cone || std::abs(a.radius - b.radius) <= same_radius) &&
+           std::abs(a.second - b.second) <= (is_cone ? same_angle : same_radius);
+}
+
 double sort_key(const UnderlyingSurface& c, const Vec3& reference) {
     switch (c.kind) {
         case SurfaceKind::plane:

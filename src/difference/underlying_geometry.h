@@ -39,6 +39,8 @@ struct UnderlyingSurface {
 UnderlyingSurface underlying_of(const TopoDS_Face& face);
 UnderlyingSurface moved(UnderlyingSurface underlying, const gp_Trsf& motion);
 bool same_underlying(const UnderlyingSurface& a, const UnderlyingSurface& b, const Sameness& sameness);
+/// Equal radii and angles, wherever they are. Planes have none, and free-form surfaces are not asked for theirs.
+bool is_as_wide(const UnderlyingSurface& a, const UnderlyingSurface& b);
 /// Nearly the same number for the same underlying surfaces, mm; other underlying surfaces mostly have another one.
 double sort_key(const UnderlyingSurface& underlying, const Vec3& reference);
 Vec3 point_at(const UnderlyingSurface& underlying, double u, double v);

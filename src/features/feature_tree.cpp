@@ -416,6 +416,13 @@ std::optional<FeatureId> FeatureTree::find(const std::string& name) const {
     return std::nullopt;
 }
 
+bool FeatureTree::is_import(FeatureId id) const {
+    const Feature& feature = (*this)[id];
+    if (feature.role != Role::base && feature.role != Role::transform) return false;
+    return std::all_of(feature.depends_on.begin(), feature.depends_on.end(),
+                       [&](FeatureId d) { return (*this)[d].role == Role::reference || is_import(d); });
+}
+
 FeatureTree interpret(const RawDocument& document, RunContext& context, const FeatureTree* before,
                       Dimension dimension) {
     return Interpreter(document, context, before, dimension).run();

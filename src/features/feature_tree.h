@@ -68,6 +68,8 @@ struct FeatureTree {
 
     const Feature& operator[](FeatureId id) const { return features[id.index()]; }
     std::optional<FeatureId> find(const std::string& name) const;
+    /// Is its shape all that is known of it, as of one from a file, or of a copy of that?
+    bool is_import(FeatureId id) const;
 };
 
 /// Interprets the records. `before`: the tree before an edit, whose features that did the same are not looked into

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "difference/followed_faces.h"
 
+#include <BRep_Builder.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
+#include <utility>
+
 #include "catch.h"
 #include "difference/sample_parts.h"
 #include "difference/underlying_geometry.h"
@@ -25,6 +30,29 @@ PartState imported(const std::vector<Bore>& bores, const std::vector<Primitive>&
     return state;
 }
 
+/// The same solid with its faces the other way round within each kind and direction, as another program may list them.
+PartState in_another_order(PartState state) {
+    std::vector<TopoDS_Face> faces;
+    for (std::size_t f = 0; f < state.brep.face_count(); ++f) faces.push_back(state.brep.face(FaceId(f)));
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        for (std::size_t j = faces.size() - 1; j > i; --j) {
+            const UnderlyingSurface a = underlying_of(faces[i]), b = underlying_of(faces[j]);
+            if (a.kind != b.kind || !a.position.Direction().IsEqual(b.position.Direction(), 1e-9)) continue;
+            std::swap(faces[i], faces[j]);
+            break;
+        }
+    BRep_Builder builder;
+    TopoDS_Shell shell;
+    TopoDS_Solid solid;
+    builder.MakeShell(shell);
+    for (const TopoDS_Face& face : faces) builder.Add(shell, face);
+    shell.Closed(true);
+    builder.MakeSolid(solid);
+    builder.Add(solid, shell);
+    state.tree.features[0].volumes[0].shape = state.tree.final_shape = solid;
+    return {state.tree, Brep(solid), CellModel{}};
+}
+
 std::vector<FaceId> walls_of(const PartState& state) {
     std::vector<FaceId> walls;
     for (std::size_t f = 0; f < state.brep.face_count(); ++f)
@@ -45,6 +73,14 @@ std::vector<double> radii_of_followed(const std::vector<Bore>& olds, const std::
 using Radii = std::vector<double>;
 }  // namespace
 
+TEST_CASE("a hole of an import is followed to one as large or where it was") {
+    CHECK(radii_of_followed({{20, 20, 6}}, {{22, 20, 6}}) == Radii{6});
+    CHECK(radii_of_followed({{20, 20, 6}}, {{22, 20, 5}}) == Radii{5});
+    CHECK(radii_of_followed({{20, 20, 6}}, {{45, 20, 6}}) == Radii{6});
+    CHECK(radii_of_followed({{20, 20, 6}}, {{45, 20, 4}}) == Radii{});
+    CHECK(radii_of_followed({{20, 20, 6}}, {{45, 20, 4}, {50, 10, 3}}) == Radii{});
+}
+
 TEST_CASE("a hole of an import is not followed to two") {
     CHECK(radii_of_followed({{20, 20, 6}}, {{22, 20, 6}, {50, 10, 3}}) == Radii{6});
     CHECK(radii_of_followed({{20, 20, 6}}, {{20.5, 20, 6}, {45, 10, 6}}) == Radii{6});
@@ -55,4 +91,18 @@ TEST_CASE("a hole of an import that a slot splits is followed to its pieces alon
     const Primitive slot{"Slot", Effect::removes, {box({10, 19.5, -1}, {21, 1, 12})}, {}};
     CHECK(radii_of_followed({{20, 20, 6}}, {{20.5, 20, 6}}, {slot}) == Radii{6, 6});
     CHECK(radii_of_followed({{20, 20, 6}}, {{20.5, 20, 6}, {50, 10, 3}}, {slot}) == Radii{6, 6});
+}
+
+TEST_CASE("a file that lists the faces of an import in another order") {
+    const PartState was = imported({{20, 20, 6}, {40, 20, 6}}),
+                    is = in_another_order(imported({{20, 20, 6}, {41, 20, 6}}));
+    const std::vector<FollowedFace> followed = follow_faces(was, {}, is, {});
+    const std::vector<FaceId> walls = walls_of(was);
+    REQUIRE(walls.size() == 2);
+    for (const FaceId wall : walls) {
+        const std::vector<FaceId>& now = followed[wall.index()].new_faces;
+        REQUIRE(now.size() == 1);
+        const double x = underlying_of(was.brep.face(wall)).position.Location().X();
+        CHECK(underlying_of(is.brep.face(now[0])).position.Location().X() == Approx(x > 30 ? 41 : x));
+    }
 }

@@ -92,6 +92,16 @@ TEST_CASE("a body is read as the chain of its features") {
     CHECK(tree.notes.empty());
 }
 
+TEST_CASE("an import and copies of it are known by their shapes alone") {
+    DocumentMaker maker = plate();
+    maker.add("File", "Part::Feature", {}, box(0, 0, 0, 1, 1, 1));
+    maker.add("Copy", "Part::Mirroring", {{"Source", "File", ""}}, box(0, 0, 0, 1, 1, 1));
+    maker.add("CopyOfHole", "Part::Mirroring", {{"Source", "Hole", ""}}, plate_shape());
+    const FeatureTree tree = interpret(maker.done());
+    for (const Feature& feature : tree.features)
+        CHECK(tree.is_import(*tree.find(feature.name)) == (feature.name == "File" || feature.name == "Copy"));
+}
+
 TEST_CASE("a fillet is what it adds and removes, also when no face is shared any more") {
     for (const bool reopened : {false, true}) {
         DocumentMaker maker = plate();
