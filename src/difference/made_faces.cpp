@@ -105,11 +105,13 @@ std::vector<MadeFaces::PlacedElement> MadeFaces::elements_of(FeatureId id, const
             if (found == elements_.end()) continue;
             const RigidMotion place = compose(motion, sketch.frame);
             for (const SketchElement& element : found->second)
-                placed.push_back({{sketch.name, element.id}, moved(element, place), place.rotate({0, 0, 1})});
+                placed.push_back(
+                    {{sketch.name, element.id}, moved(element, place), place.rotate({0, 0, 1}), feature.at_centres});
         }
     };
-    add(state_.tree[id]);
-    if (placed.empty() && state_.tree[id].role == Role::pattern)
+    if (state_.tree[id].role != Role::pattern)
+        add(state_.tree[id]);
+    else  // its own sketch only tells a direction
         for (const FeatureId original : state_.tree[id].depends_on) add(state_.tree[original]);
     return placed;
 }
@@ -127,7 +129,8 @@ void MadeFaces::find_elements(FeatureId feature) {
     }
 }
 
-/// To the faces that were swept from it. Of faces on one surface, which elements in a line make, those next to it.
+/// To the faces that were swept from it, and to the pieces about its centre. Of faces on one surface, which elements in
+/// a line make, those next to it.
 void MadeFaces::give(const PlacedElement& placed, std::span<const int> pieces) {
     double nearest = std::numeric_limits<double>::infinity();
     std::vector<std::pair<double, int>> swept;
@@ -138,7 +141,9 @@ void MadeFaces::give(const PlacedElement& placed, std::span<const int> pieces) {
             face.height = dot(face.probe.box().center(), placed.normal);
             if (placed.element.centre && is_axis_through(face.underlying, *placed.element.centre))
                 add_once(pieces_[std::size_t(p)].elements, placed.name);
-            if (is_cap(face.underlying, placed.normal) || !is_swept_from(placed.element, face.probe)) continue;
+            if (placed.only_centre || is_cap(face.underlying, placed.normal) ||
+                !is_swept_from(placed.element, face.probe))
+                continue;
             swept.emplace_back(face.probe.contains(middle, on_surface) ? 0 : distance_to(face.probe.box(), middle), f);
             nearest = std::min(nearest, swept.back().first);
         }

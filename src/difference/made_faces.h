@@ -73,11 +73,12 @@ class MadeFaces {
     /// Indices of the made faces that hold points of the face of the final shape; asked once, then kept.
     const std::vector<int>& made(FaceId final_face) const;
 
-    /// A sketch element where a volume was swept from it.
+    /// A sketch element where a volume was swept from it, or made about its centre.
     struct PlacedElement {
         ElementName name;
         SketchElement element;
         Vec3 normal;
+        bool only_centre = false;
     };
 
   private:

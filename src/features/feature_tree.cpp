@@ -75,6 +75,7 @@ class Interpreter {
         f.type = r.type;
         f.role = meanings_[i].role;
         f.frame = r.global_placement;
+        f.at_centres = meanings_[i].at_centres;
         f.suppressed = r.suppressed;
         f.error = r.error;
         f.parameters.assign(r.numbers.begin(), r.numbers.end());

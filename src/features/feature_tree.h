@@ -48,6 +48,7 @@ struct Feature {
     std::vector<FeatureVolume> volumes;
     RigidMotion frame;  ///< of the feature, in the final shape's frame
     std::vector<FeatureId> depends_on;
+    bool at_centres = false;  ///< its sketch's circles tell where it is, not how wide
     bool suppressed = false;
     std::string error;          ///< FreeCAD's message; such a feature counts as changed
     std::string volume_source;  ///< how the volumes were had: "own", "before and after", "instances", "copies", "shape"

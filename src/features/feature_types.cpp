@@ -41,6 +41,7 @@ const std::map<std::string, TypeMeaning, std::less<>>& types() {
             t["PartDesign::" + std::string(name)] = step(Role::additive, Effect::adds);
         for (const char* name : {"Pocket", "Hole", "Groove"})
             t["PartDesign::" + std::string(name)] = step(Role::subtractive, Effect::removes);
+        t["PartDesign::Hole"].at_centres = true;
         for (const char* name : {"Fillet", "Chamfer", "Draft", "Thickness"})
             t["PartDesign::" + std::string(name)] = change({"BaseFeature", "Base"});
         for (const char* name :

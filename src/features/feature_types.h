@@ -31,6 +31,7 @@ struct TypeMeaning {
     std::vector<std::string> sources;
     /// Link properties that hold the second operands, all of them.
     std::vector<std::string> tools;
+    bool at_centres = false;  ///< made at the centres of its sketch's circles, however large those are
 };
 
 /// The meaning of a record's type and proxy; an unknown type is an opaque leaf.

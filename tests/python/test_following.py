@@ -516,6 +516,30 @@ class Blocks(BlockParts):
         groups = groups_of(self.mesh)
         self.assertEqual(groups["Clamp_Nodes"], set().union(*(groups[name + "_Nodes"] for _, name in names_of(group))))
 
+    def test_drilled_holes_whose_circles_are_by_chance_as_large(self):
+        body = self.block()
+        sketch = body.newObject("Sketcher::SketchObject", "Centres")
+        sketch.Placement.Base.z = 20
+        for x in (30, 60):
+            sketch.addGeometry(Part.Circle(FreeCAD.Vector(x, 10), FreeCAD.Vector(0, 0, 1), 4))
+        self.document.recompute()
+        holes = body.newObject("PartDesign::Hole", "Holes")
+        holes.Profile, holes.DepthType, holes.Diameter = sketch, "ThroughAll", 8
+        body.Tip = holes
+        self.document.recompute()
+        bores = {round(face.Surface.Center.x): "Face%d" % n for n, face in enumerate(body.Shape.Faces, 1) if hasattr(face.Surface, "Radius")}
+        loads = {x: self.load(body, name) for x, name in bores.items()}
+        self.assertEqual(sorted(loads), [30, 60])
+        self.mesh_of(body)
+        for diameter in (10, 8, 6):
+            holes.Diameter = diameter
+            self.document.recompute()
+            for x, load in loads.items():
+                (_, name), = names_of(load)
+                bore = body.Shape.getElement(name).Surface
+                self.assertEqual((round(bore.Center.x), bore.Radius), (x, diameter / 2))
+        self.assertEqual(warnings_of(self.mesh), [])
+
     def test_a_thicker_wall(self):
         """The load on a face that the thickness made goes with it, inwards and outwards."""
         for is_inward, before, after in ((True, 2, 3), (False, -2, -3)):

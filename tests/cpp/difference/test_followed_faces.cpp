@@ -4,6 +4,7 @@
 #include <BRep_Builder.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
+#include <cmath>
 #include <utility>
 
 #include "catch.h"
@@ -104,5 +105,52 @@ TEST_CASE("a file that lists the faces of an import in another order") {
         REQUIRE(now.size() == 1);
         const double x = underlying_of(was.brep.face(wall)).position.Location().X();
         CHECK(underlying_of(is.brep.face(now[0])).position.Location().X() == Approx(x > 30 ? 41 : x));
+    }
+}
+
+namespace {
+SketchElement circle(int id, const Vec3& centre, double radius) {
+    return {id, {centre + Vec3{radius, 0, 0}, centre - Vec3{radius, 0, 0}, centre + Vec3{radius, 0, 0}}, centre};
+}
+
+/// A plate with a feature that drills at the two circles of a sketch, and a pattern along the sketch's own axis.
+PartState drilled(double radius) {
+    const auto bores = [&](double y) {
+        return evaluate({{"One", Effect::adds, {cylinder({20, y, -1}, {0, 0, 1}, radius, 12)}, {}},
+                         {"Other", Effect::adds, {cylinder({40, y, -1}, {0, 0, 1}, radius, 12)}, {}}});
+    };
+    PartState state = part({{"Plate", Effect::adds, {box({0, 0, 0}, {60, 60, 10})}, {}},
+                            {"Holes", Effect::removes, {bores(15)}, {}},
+                            {"Pattern", Effect::removes, {bores(45)}, {}}});
+    std::vector<Feature>& features = state.tree.features;
+    Feature sketch;
+    sketch.name = "Sketch";
+    sketch.role = Role::reference;
+    features[1].at_centres = true;
+    features[2].role = Role::pattern;
+    features[2].volumes[0].instance = 1;
+    features[2].volumes[0].motion = shift({0, 30, 0});
+    for (const std::size_t f : {1, 2}) features[f].depends_on.push_back(FeatureId(3));
+    features[2].depends_on.push_back(FeatureId(1));
+    features.push_back(sketch);
+    return state;
+}
+}  // namespace
+
+TEST_CASE("holes are known by the centres of circles that are by chance as large") {
+    for (const double of_circles : {4.0, 5.0, 6.0}) {
+        const SketchElements elements{
+            {"Sketch", {circle(1, {20, 15, 0}, of_circles), circle(2, {40, 15, 0}, of_circles)}}};
+        const PartState was = drilled(4), is = drilled(5);
+        const std::vector<FollowedFace> followed = follow_faces(was, elements, is, elements);
+        REQUIRE(walls_of(was).size() == 4);
+        for (const FaceId wall : walls_of(was)) {
+            const std::vector<FaceId>& now = followed[wall.index()].new_faces;
+            REQUIRE(now.size() == 1);
+            const gp_Pnt there = underlying_of(was.brep.face(wall)).position.Location(),
+                         here = underlying_of(is.brep.face(now[0])).position.Location();
+            CHECK(std::abs(there.X() - here.X()) < 1e-9);
+            CHECK(std::abs(there.Y() - here.Y()) < 1e-9);
+        }
     }
 }

@@ -83,6 +83,8 @@ TEST_CASE("a body is read as the chain of its features") {
     CHECK(volume(pad.volumes[0]) == Approx(4000));
     const Feature& hole = named(tree, "Hole");
     CHECK(hole.role == Role::subtractive);
+    CHECK(hole.at_centres);
+    CHECK_FALSE(named(tree, "Pocket").at_centres);
     REQUIRE(hole.volumes.size() == 1);
     CHECK(hole.volumes[0].effect == Effect::removes);
     CHECK(volume(hole.volumes[0]) == Approx(44 * pi));
