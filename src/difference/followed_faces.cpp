@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include "brep/occt_geometry.h"
@@ -33,6 +34,8 @@ class FaceFollower {
         in_place_.resize(followed_.size());
         claimed_.assign(new_.brep.face_count(), 0);
         taken_ = claimed_;
+        old_boxes_.resize(followed_.size());
+        new_boxes_.resize(claimed_.size());
         for (std::size_t f = 0; f < followed_.size(); ++f) followed_[f].old_face = FaceId(f);
         for (const FaceChange& change : faces_in_place(old_.brep, new_.brep, RigidMotion{}))
             if (change.old_face.is_valid()) in_place_[change.old_face.index()] = change;
@@ -163,8 +166,6 @@ class FaceFollower {
 
     // By its place
 
-    RigidMotion motion() const { return motion_.value_or(RigidMotion{}); }
-
     /// The motion of the part as a whole; none when it stayed or only some of it moved.
     std::optional<RigidMotion> motion_of_all() const {
         const auto old_id = old_.tree.find(old_.tree.object), new_id = new_.tree.find(new_.tree.object);
@@ -223,22 +224,24 @@ class FaceFollower {
         return found;
     }
 
-    /// Gives each new face that is of no old one to the one that it is most like. Returns whether there was one.
+    /// Gives each new face that is of no old one to the one that it is most like, of several to the one that lay there.
+    /// Returns whether there was one.
     bool follow_neighbours() {
         std::map<FaceId, std::vector<Candidate>> given;
         for (std::size_t g = 0; g < taken_.size(); ++g) {
             if (taken_[g]) continue;
             FaceId best;
-            double most = 0, second = 0;
+            std::pair<double, bool> most, second;
             for (std::size_t f = 0; f < followed_.size(); ++f) {
                 if (!is_open(FaceId(f)) || !may_be(FaceId(f), FaceId(g))) continue;
-                const double like = likeness(FaceId(f), FaceId(g));
+                const double around = likeness(FaceId(f), FaceId(g));
+                const std::pair like(around, around > 0 && stayed_nearby(FaceId(f), box_now(FaceId(g))));
                 if (like > most)
                     second = most, most = like, best = FaceId(f);
                 else
                     second = std::max(second, like);
             }
-            if (most > 0 && most > second) given[best].push_back({FaceId(g), most});
+            if (most.first > 0 && most > second) given[best].push_back({FaceId(g), most.first});
         }
         bool followed = false;
         for (const auto& [f, candidates] : given) {
@@ -271,10 +274,9 @@ class FaceFollower {
             if (at == all.end()) at = all.insert(at, Pieces{});
             at->faces.push_back(candidate.face);
             at->likeness = std::max(at->likeness, candidate.likeness);
-            at->box.add(box_of(new_.brep.face(candidate.face)));
+            at->box.add(box_now(candidate.face));
         }
-        const Box box = box_after(old_.brep.face(f), motion());
-        const auto rank = [&](const Pieces& p) { return std::pair(is_nearby_and_as_large(box, p.box), p.likeness); };
+        const auto rank = [&](const Pieces& p) { return std::pair(stayed_nearby(f, p.box), p.likeness); };
         const auto best = std::max_element(all.begin(), all.end(),
                                            [&](const Pieces& a, const Pieces& b) { return rank(a) < rank(b); });
         const bool is_choice = std::any_of(all.begin(), all.end(),
@@ -283,13 +285,27 @@ class FaceFollower {
     }
 
     bool on_one_surface(FaceId a, FaceId b) const {
-        Box box = box_of(new_.brep.face(a));
-        box.add(box_of(new_.brep.face(b)));
+        Box box = box_now(a);
+        box.add(box_now(b));
         return same_underlying(underlying_of(new_.brep.face(a)), underlying_of(new_.brep.face(b)),
                                {boolean_tolerance, box.center(), 0.5 * box.diagonal()});
     }
 
-    static bool is_nearby_and_as_large(const Box& was, const Box& is) {
+    /// With the motion of the part.
+    const Box& box_before(FaceId f) const {
+        std::optional<Box>& box = old_boxes_[f.index()];
+        if (!box) box = box_after(old_.brep.face(f), motion_.value_or(RigidMotion{}));
+        return *box;
+    }
+    const Box& box_now(FaceId g) const {
+        std::optional<Box>& box = new_boxes_[g.index()];
+        if (!box) box = box_of(new_.brep.face(g));
+        return *box;
+    }
+
+    /// Is the box where and as large as that of the old face, nearly?
+    bool stayed_nearby(FaceId f, const Box& is) const {
+        const Box& was = box_before(f);
         const double size = was.diagonal();
         return length(was.center() - is.center()) <= nearby * size && std::abs(is.diagonal() - size) <= nearby * size;
     }
@@ -297,13 +313,14 @@ class FaceFollower {
     /// Can both come from one feature, as far as their own volumes tell, with a surface of the same kind? Of what no
     /// feature made, places and sizes must do.
     bool may_be(FaceId f, FaceId g) const {
-        const TopoDS_Face &was = old_.brep.face(f), &is = new_.brep.face(g);
-        if (underlying_of(was).kind != underlying_of(is).kind) return false;
+        const UnderlyingSurface was = underlying_of(old_.brep.face(f)), is = underlying_of(new_.brep.face(g));
+        if (was.kind != is.kind) return false;
         const std::set<std::string> olds = features_of(was_, f), news = features_of(is_, g);
         if (!olds.empty() && !news.empty() &&
             std::none_of(olds.begin(), olds.end(), [&](const std::string& name) { return news.contains(name); }))
             return false;
-        return is_made(old_.tree, olds) || is_made(new_.tree, news) || as_wide_or_there(was, is, motion());
+        return is_made(old_.tree, olds) || is_made(new_.tree, news) || is_as_wide(was, is) ||
+               box_before(f).overlaps(box_now(g));
     }
 
     /// By a feature's own volume; that of an import is all of the part.
@@ -328,9 +345,10 @@ class FaceFollower {
     std::optional<RigidMotion> motion_;
     std::vector<FollowedFace> followed_;
     std::vector<FaceChange> in_place_;
-    std::vector<char> taken_;                   // by new FaceId: is it one of an old face?
-    std::vector<char> claimed_;                 // and is that more than its place?
-    std::vector<std::vector<FaceId>> by_made_;  // by index into the new made faces
+    std::vector<char> taken_;                                        // by new FaceId: is it one of an old face?
+    std::vector<char> claimed_;                                      // and is that more than its place?
+    mutable std::vector<std::optional<Box>> old_boxes_, new_boxes_;  // by FaceId, when first asked for
+    std::vector<std::vector<FaceId>> by_made_;                       // by index into the new made faces
 };
 }  // namespace
 

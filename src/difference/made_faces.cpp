@@ -57,10 +57,6 @@ Box box_after(const TopoDS_Face& face, const RigidMotion& motion) {
     return box_of(face.Moved(TopLoc_Location(to_trsf(motion))));
 }
 
-bool as_wide_or_there(const TopoDS_Face& was, const TopoDS_Face& is, const RigidMotion& motion) {
-    return is_as_wide(underlying_of(was), underlying_of(is)) || box_after(was, motion).overlaps(box_of(is));
-}
-
 std::vector<Vec3> points_over(const TopoDS_Face& face) {
     std::vector<Vec3> points;
     for (const SurfacePoint& p : points_in_trim(face)) points.push_back(p.point);

@@ -99,9 +99,6 @@ class MadeFaces {
 
 /// The box of a face where a motion takes it.
 Box box_after(const TopoDS_Face& face, const RigidMotion& motion);
-/// Where no feature tells: has the new face the radii and angles of the old one, which went with the motion, or does it
-/// lie, as far as boxes tell, where that was?
-bool as_wide_or_there(const TopoDS_Face& was, const TopoDS_Face& is, const RigidMotion& motion);
 
 /// Points of a face that are spread over it, at most 36.
 std::vector<Vec3> points_over(const TopoDS_Face& face);

@@ -126,24 +126,33 @@ class PieceMatcher {
         const bool is_import = was_.state().tree.is_import(old_piece(o).feature);
         if (is_import && has_another_order(from, to, motion)) return;
         for (std::size_t i = 0; i < from.size(); ++i)
-            if (!is_import || as_wide_or_there(old_face(from[i]).face, new_face(to[i]).face, motion))
+            if (!is_import || is_as_wide(old_face(from[i]).underlying, new_face(to[i]).underlying) ||
+                box_of_old(from[i], motion).overlaps(new_face(to[i]).probe.box()))
                 add(from[i], to[i]);
+    }
+
+    Box box_of_old(int f, const RigidMotion& motion) const {
+        return motion.is_identity() ? old_face(f).probe.box() : box_after(old_face(f).face, motion);
     }
 
     /// Another file may list the same faces in another order: does one lie where another one lay?
     bool has_another_order(const std::vector<int>& from, const std::vector<int>& to, const RigidMotion& motion) const {
         const Sameness same = sameness();
         for (std::size_t i = 0; i < from.size(); ++i) {
-            const MadeFace& was = old_face(from[i]);
-            const UnderlyingSurface underlying = moved(was.underlying, to_trsf(motion));
-            const Box box = box_after(was.face, motion);
-            const auto lies_there = [&](int g) {
-                return new_face(g).probe.box().is_close_to(box, boolean_tolerance) &&
-                       same_underlying(underlying, new_face(g).underlying, same);
-            };
+            const UnderlyingSurface was = moved(old_face(from[i]).underlying, to_trsf(motion));
+            const Box box = box_of_old(from[i], motion);
+            const auto lies_there = [&](int g) { return lies_where(was, box, new_face(g), same); };
             if (!lies_there(to[i]) && std::any_of(to.begin(), to.end(), lies_there)) return true;
         }
         return false;
+    }
+
+    /// A hole that has moved a little lies there, too.
+    static bool lies_where(const UnderlyingSurface& was, const Box& box, const MadeFace& is, const Sameness& same) {
+        if (was.kind != is.underlying.kind) return false;
+        if (was.kind != SurfaceKind::plane && was.kind != SurfaceKind::free_form)
+            return is.probe.box().overlaps(box) && is_as_wide(was, is.underlying);
+        return is.probe.box().is_close_to(box, boolean_tolerance) && same_underlying(was, is.underlying, same);
     }
 
     static bool points_likewise(const UnderlyingSurface& was, const UnderlyingSurface& is, const RigidMotion& motion) {
