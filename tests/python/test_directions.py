@@ -207,6 +207,20 @@ class ComesBack(ForcesAlong):
         self.assertEqual(names_of(self.pressed), [("Body", self.face_at(self.body, "Z", 0))])
         self.assertEqual(self.direction_of(self.force)[0], "x")
 
+    def test_it_comes_back_once_more_after_undo(self):
+        """The tip moved down, undone, and moved down again."""
+        self.document.UndoMode = 1
+        self.document.openTransaction("Up")
+        self.put_in_between()
+        self.document.commitTransaction()
+        for _ in range(2):
+            self.document.openTransaction("Down")
+            self.move_down()
+            self.document.commitTransaction()
+            self.assertEqual((references.unmended(self.analysis), names_of(self.pressed)), ([], [("Body", self.face_at(self.body, "X", 40))]))
+            self.document.undo()
+            self.assertEqual({obj for obj, _ in references.unmended(self.analysis)}, {self.pressed, self.force})
+
     def test_a_refinement_has_its_face_again(self):
         region = ObjectsFem.makeMeshRegion(self.document, self.mesh, 2.0, "Fine")
         region.References = [(self.body, self.face_at(self.body, "Z", 15))]

@@ -8,6 +8,7 @@ from . import references
 from .messages import said
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+_STATES = 30   # more than FreeCAD has steps of undo
 _THERE_AGAIN = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text}: there again, and referred to as before: {now:entities}")
 
 
@@ -16,6 +17,19 @@ class LostReferences:
 
     def __init__(self):
         self._entries = {}   # name of an object -> [(the part as it was read when it had them, property, names of sub-elements)]
+        self._of_states = {}   # the same of states of the mesh that undo may bring back, by their checksums
+
+    def keep(self, checksum):
+        """To be called before the mesh of that state gets another one."""
+        self._of_states.pop(checksum, None)
+        self._of_states[checksum] = {name: list(entries) for name, entries in self._entries.items()}
+        if len(self._of_states) > _STATES:
+            self._of_states.pop(next(iter(self._of_states)))
+
+    def go_back(self, before, now):
+        """To be called when undo or redo gave the mesh the state with the checksum `now` in place of that `before`."""
+        self.keep(before)
+        self._entries.update({name: list(entries) for name, entries in self._of_states.get(now, {}).items()})
 
     def note(self, obj, raw, lost):
         """`lost` is what references.follow gives."""

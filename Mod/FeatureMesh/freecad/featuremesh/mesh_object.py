@@ -147,6 +147,7 @@ class FeatureMesh(Stateless):
         old, saved, problem = self._old(mesh)
         if full:
             old = saved = problem = None   # but what it was made from is known now, so that references can be followed
+        self._lost.keep(self._shown)
         moved = []
         if mesh.MeshRegionList and self._raw is not None:
             with references.not_touched(mesh.MeshRegionList):
@@ -266,6 +267,7 @@ class FeatureMesh(Stateless):
         checksum = state.checksum_of(mesh.SavedState)
         if checksum == self._shown:
             return
+        self._lost.go_back(self._shown, checksum)
         if not checksum:
             give(mesh, Fem.FemMesh())
             if mesh.StateName:
