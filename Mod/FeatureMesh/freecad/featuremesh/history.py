@@ -183,6 +183,7 @@ def _show_states(document):
                 obj.Status = OUT_OF_DATE
                 obj.touch()
             results.mark(obj)
+    _outdate_in_others(document)
 
 
 def _is_beside_its_part(mesh):
