@@ -391,14 +391,22 @@ class Live(Case):
             self.force(analysis, part, faces_at(part, 0, 10))
             live = api.live_result(analysis)
             self.check_is_fresh(analysis, live)
+            other.UndoMode = 1
+            other.openTransaction("Longer")
             box.Length = 14
             other.recompute()
+            other.commitTransaction()
             self.assertEqual((mesh.Status, live.Status), (mesh_properties.EDITED_ELSEWHERE, live_result.OUT_OF_DATE))
             self.document.recompute()
             self.assertEqual((mesh.Status, mesh.FemMesh.BoundBox.XMax), (mesh_properties.UP_TO_DATE, 14))
             self.check_is_fresh(analysis, live)
             other.recompute()   # nothing changed
             self.assertEqual((mesh.Status, live.Status), (mesh_properties.UP_TO_DATE, live_result.UP_TO_DATE))
+            other.undo()
+            self.assertEqual((mesh.Status, live.Status), (mesh_properties.EDITED_ELSEWHERE, live_result.OUT_OF_DATE))
+            self.document.recompute()
+            self.assertEqual((mesh.Status, mesh.FemMesh.BoundBox.XMax), (mesh_properties.UP_TO_DATE, 10))
+            self.check_is_fresh(analysis, live)
 
     def test_undo_is_out_of_date_until_it_is_solved(self):
         self.document.UndoMode = 1
@@ -414,6 +422,19 @@ class Live(Case):
         self.assertEqual(live.Status, live_result.OUT_OF_DATE)
         api.solve_live(live)
         self.check_is_fresh(analysis, live)
+
+    def test_an_edit_that_is_cancelled_is_out_of_date_until_it_is_solved(self):
+        """FreeCAD takes back what it had said of the result, not the mesh that it was solved on."""
+        self.document.UndoMode = 1
+        part, analysis, live = self.cantilever()
+        self.document.openTransaction("Longer")
+        part.Length = 60
+        self.document.recompute()
+        self.document.abortTransaction()
+        self.assertEqual((self.document.FeatureMesh.Status, live.Status), (mesh_properties.UP_TO_DATE, live_result.OUT_OF_DATE))
+        api.solve_live(live)
+        self.check_is_fresh(analysis, live)
+        self.assertEqual(live.Result.Mesh.FemMesh.BoundBox.XMax, 40)
 
     def test_undo_beyond_a_result_leaves_what_redo_needs(self):
         """The window solves outside of any step of undo."""

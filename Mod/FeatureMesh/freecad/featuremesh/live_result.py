@@ -379,7 +379,7 @@ class _Observer:
         statics_result.remove_left_over(document)
         _solve_again(document)
 
-    slotRedoDocument = slotUndoDocument
+    slotRedoDocument = slotAbortTransaction = slotUndoDocument
 
     def _keep_results(self, document):
         """Undo gives an analysis the members that it had before it had a result of ours, which would be left beside it."""
