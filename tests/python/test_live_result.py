@@ -408,6 +408,25 @@ class Live(Case):
             self.assertEqual((mesh.Status, mesh.FemMesh.BoundBox.XMax), (mesh_properties.UP_TO_DATE, 10))
             self.check_is_fresh(analysis, live)
 
+    def test_an_edit_that_was_recomputed_from_here_is_undone_in_a_linked_document(self):
+        with tempfile.TemporaryDirectory() as folder:
+            other = FreeCAD.newDocument("Other")
+            self.addCleanup(FreeCAD.closeDocument, other.Name)
+            other.UndoMode = 1
+            box, link = other.addObject("Part::Box", "Box"), self.document.addObject("App::Link", "Link")
+            for document in (other, self.document):
+                document.recompute()
+                document.saveAs(os.path.join(folder, document.Name + ".FCStd"))
+            link.LinkedObject = box
+            mesh = api.add_mesh(link, 4.0, order=1)
+            other.openTransaction("Longer")
+            box.Length = 14
+            other.commitTransaction()
+            self.document.recompute()
+            self.assertEqual((mesh.Status, mesh.FemMesh.BoundBox.XMax), (mesh_properties.UP_TO_DATE, 14))
+            other.undo()
+            self.assertEqual(mesh.Status, mesh_properties.EDITED_ELSEWHERE)
+
     def test_undo_is_out_of_date_until_it_is_solved(self):
         self.document.UndoMode = 1
         part, analysis, live = self.cantilever()

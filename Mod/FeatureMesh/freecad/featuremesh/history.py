@@ -129,9 +129,11 @@ class _Observer:
     def slotChangedObject(self, obj, name):
         if name == "Data" and results.is_result(obj) and not (FreeCAD.isRestoring() or obj.Document.Recomputing or obj.Document.Transacting):
             results.note_again(obj, from_input=True)   # since 1.1 a solver fills its pipeline anew
-        if FreeCAD.isRestoring() or obj.Document.Recomputing or obj.Document.Transacting:
-            return   # what an undo takes away has no name
+        if FreeCAD.isRestoring() or obj.Document.Recomputing:
+            return
         _left_touched.get(obj.Document.Name, set()).discard(obj.Name)
+        if obj.Document.Transacting:
+            return   # what an undo takes away has no name
         results.member_changed(obj, name)
         if name not in _WATCHED:
             return
