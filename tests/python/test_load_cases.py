@@ -196,6 +196,25 @@ class LoadCases(MeshedPlate):
         self.document.recompute()
         self.assertEqual(ends(), before)
 
+    def test_loads_of_a_mesh_that_waits_go_with_another_one_of_the_part(self):
+        """The mesh that is updated by hand is dragged out for the one that followed the edit, or is updated after it."""
+        other = api.add_mesh(self.body, 5.0, order=1, join_analysis=False)
+        self.document.recompute()
+        self.mesh.Automatic = False
+        for size, automatic in ((2, True), (3, True), (4, False)):
+            other.Automatic = automatic
+            if size == 2:
+                chamfer = self.body.newObject("PartDesign::Chamfer", "Chamfer")
+                chamfer.Base, self.body.Tip = (self.document.Hole, ["Edge1"]), chamfer
+            self.document.Chamfer.Size = size
+            self.document.recompute()
+            ends = [("Body", face_across(self.body, 0, place)) for place in (0, 60)]
+            self.assertEqual([(load.References[0][0].Name, *load.References[0][1]) for load in (self.fixed, self.force)], ends)
+        api.update_mesh(self.mesh)
+        self.assertEqual([(load.References[0][0].Name, *load.References[0][1]) for load in (self.fixed, self.force)], ends)
+        nodes, groups = self.mesh.FemMesh.Nodes, groups_in_freecad(self.mesh)
+        self.assertEqual({round(nodes[number].x, 6) for number in groups["Fixed_Nodes"]}, {0})
+
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_both_are_solved_with_one_mesh(self):
         copy = self.twin()

@@ -98,16 +98,23 @@ def dependents_of(mesh):
 
 
 def followed_by(mesh):
-    """These, and with the first mesh of its part what refers to that in analyses without one: it may be dragged there, or shared."""
-    waiting = [analysis for analysis in analyses_of(mesh.Document) if not meshes_of(analysis)] if _is_first_of_its_part(mesh) else []
-    part = versions.part_of(mesh)
+    """These, and with the first mesh of its part what refers to that in analyses that wait: it may be dragged there, or shared."""
+    waiting = [analysis for analysis in analyses_of(mesh.Document) if _waits(analysis)] if _is_first_of_its_part(mesh) else []
+    part, own = versions.part_of(mesh), dependents_of(mesh)
     clicked = part, getattr(part, "Tip", None)
-    return dependents_of(mesh) + [member for analysis in waiting for member in analysis.Group if all(target in clicked for target, _ in pairs_of(member))]
+    return own + [member for analysis in waiting for member in analysis.Group if member not in own and all(target in clicked for target, _ in pairs_of(member))]
+
+
+def _waits(analysis):
+    """Has it no mesh, or none that follows an edit by itself?"""
+    return all(is_ours(mesh) and not getattr(source_of(mesh), "Automatic", False) for mesh in meshes_of(analysis))
 
 
 def _is_first_of_its_part(mesh):
+    """Of those that follow an edit by themselves, if there are any."""
     part = versions.part_of(mesh)
-    return mesh is next((obj for obj in mesh.Document.Objects if type_of(obj) == _OURS and versions.part_of(obj) is part), None)
+    of_part = [obj for obj in mesh.Document.Objects if type_of(obj) == _OURS and versions.part_of(obj) is part]
+    return mesh is next((obj for obj in of_part if getattr(obj, "Automatic", True)), of_part[0] if of_part else None)
 
 
 def is_ours(mesh):

@@ -12,7 +12,7 @@ from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, UP_TO_DATE, is_of_it
 from .reading import dependencies, has_shape
 
 _NAMES = ("Label", "UseLabel")   # by which a mesh group object may call its groups
-_WATCHED = ("References", *references.ALONG, "Group", "MeshGroupList", "MeshRegionList", *_NAMES)
+_WATCHED = ("References", *references.ALONG, "Group", "MeshGroupList", "MeshRegionList", "Automatic", *_NAMES)
 _observer = None
 _deleted = {}   # name of a document -> names of the objects deleted from it
 _recomputed = set()   # names of the documents that were recomputed since they were opened
@@ -104,6 +104,8 @@ class _Observer:
         references.look_again(document)
         for mesh in filter(_is_ours, document.Objects):
             results.mark(mesh)   # an expression may have changed a load
+            if not mesh.Automatic:
+                mesh.Proxy.members_changed(mesh)   # another mesh of its part has moved its loads
         _left_touched[document.Name] = {obj.Name for obj in document.Objects if "Touched" in obj.State} & _left_touched.get(document.Name, set())
         _recomputed.add(document.Name)
         _undone.discard(document.Name)
@@ -148,7 +150,7 @@ class _Observer:
                 continue
             if name == "References" or name in references.ALONG:
                 mesh.Proxy.references_changed(mesh, obj)
-            elif name not in _NAMES and (mesh is obj or obj in mesh.InList or analyses.is_analysis(obj)):
+            elif name not in _NAMES and (mesh is obj or obj in mesh.InList or analyses.is_analysis(obj) or name == "Automatic"):
                 mesh.Proxy.members_changed(mesh)
             if name == "References" or name == "Group" and obj in analyses.holding(mesh) or name in _NAMES and obj in mesh.MeshGroupList:
                 mesh.Proxy.renew_groups(mesh)
