@@ -30,17 +30,25 @@
 
 namespace featuremesh {
 
-struct SizingField::Data {
-    double size, growth, largest;
-    SourceTree tree;
-    std::vector<ZoneField> zones;
+/// By options and shape.
+struct SizingField::Asked {
+    double size, growth;
+    bool may_be_coarser;                         ///< beside coarse kept nodes
+    std::shared_ptr<const SizePlaces> of_shape;  ///< what it was covered with
+};
+
+struct SizingField::Data : Asked {
+    explicit Data(Asked asked) : Asked(std::move(asked)) {}
+
+    double largest = size;
+    SourceTree tree;  ///< of the shape's balls, and those of sources
     SourceTree lead;  ///< how far below `largest` sizes are near coarse kept nodes; empty if there are none
 
     double at_most(const Vec3& p) const { return lead.empty() ? size : largest - lead.at(p); }
     /// What the balls and the zones ask for, at most `most`.
     double asked(double most, const Vec3& p) const {
         double wanted = tree.empty() ? most : std::min(most, tree.at(p));
-        for (const ZoneField& zone : zones) wanted = zone.lower(wanted, p);
+        for (const ZoneField& zone : of_shape->zones) wanted = zone.lower(wanted, p);
         return wanted;
     }
 };
@@ -48,7 +56,9 @@ struct SizingField::Data {
 SizingField::SizingField(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
 double SizingField::at(const Vec3& p) const { return data_->asked(data_->at_most(p), p); }
-bool SizingField::is_uniform() const { return data_->tree.empty() && data_->lead.empty() && data_->zones.empty(); }
+bool SizingField::is_uniform() const {
+    return data_->tree.empty() && data_->lead.empty() && data_->of_shape->zones.empty();
+}
 SizeSource shorter_than_asked(const SizingField& field, SizeSource source) {
     if (const double asked = field.at(source.point); source.size > 0.9 * asked) source.size = 0.5 * asked;
     return source;
@@ -56,7 +66,7 @@ SizeSource shorter_than_asked(const SizingField& field, SizeSource source) {
 
 double SizingField::smallest() const {
     double smallest = std::min(data_->size, data_->tree.smallest());
-    for (const ZoneField& zone : data_->zones) smallest = std::min(smallest, zone.smallest());
+    for (const ZoneField& zone : data_->of_shape->zones) smallest = std::min(smallest, zone.smallest());
     return smallest;
 }
 double SizingField::growth() const { return data_->growth; }
@@ -88,7 +98,7 @@ std::vector<Box> where_different(const SizingField& a, const SizingField& b) {
         return {everywhere};
     if (a.data_->largest != b.data_->largest || !balls_of_one(a.data_->lead, b.data_->lead).empty())
         return {everywhere};
-    std::vector<Box> boxes = where_zones_differ(a.data_->zones, b.data_->zones, a.data_->largest);
+    std::vector<Box> boxes = where_zones_differ(a.data_->of_shape->zones, b.data_->of_shape->zones, a.data_->largest);
     for (const SourceBall& ball : balls_of_one(a.data_->tree, b.data_->tree)) {
         Box box;
         box.add(ball.center);
@@ -165,31 +175,35 @@ void add_kept(std::span<const SizeSource> kept, const SizingField::Data& field, 
     }
 }
 
+SizingField field_of(const SizingField::Asked& asked, std::span<const SizeSource> sources) {
+    auto data = std::make_shared<SizingField::Data>(asked);
+    const double slope = asked.growth - 1;
+    data->largest = asked.size;
+    if (asked.may_be_coarser) lead_above(sources, slope, *data);
+    std::vector<SourceBall> balls = asked.of_shape->balls;
+    data->tree = SourceTree(balls, slope, data->largest);
+    add_kept(sources, *data, balls);
+    if (balls.size() > asked.of_shape->balls.size()) data->tree = SourceTree(std::move(balls), slope, data->largest);
+    return SizingField(std::move(data));
+}
+
 }  // namespace
 
-SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::span<const SizeSource> kept,
+SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::span<const SizeSource> sources,
                         RunContext& context) {
     check_options(options, brep.box());
     context.check_cancelled();
-    auto data = std::make_shared<SizingField::Data>();
-    data->size = options.size;
-    data->growth = options.growth;
+    SizingOptions asked = options;
     if (brep.solid_count() == 1)
         for (const LocalSize& local : options.local)
-            if (local.entity == entity_of(SolidId(0))) data->size = std::min(data->size, local.size);
-    SizingOptions asked = options;
-    asked.size = data->size;
-    SizePlaces places = cover_shape(brep, asked, context);
-    std::vector<SourceBall>& sources = places.balls;
-    const double slope = options.growth - 1;
-    data->largest = data->size;
-    if (data->size == options.size) lead_above(kept, slope, *data);
-    data->tree = SourceTree(sources, slope, data->largest);
-    data->zones = std::move(places.zones);
-    const std::size_t of_shape = sources.size();
-    add_kept(kept, *data, sources);
-    if (sources.size() > of_shape) data->tree = SourceTree(std::move(sources), slope, data->largest);
-    return SizingField(std::move(data));
+            if (local.entity == entity_of(SolidId(0))) asked.size = std::min(asked.size, local.size);
+    return field_of({asked.size, asked.growth, asked.size == options.size,
+                     std::make_shared<const SizePlaces>(cover_shape(brep, asked, context))},
+                    sources);
+}
+
+SizingField with_sources(const SizingField& field, std::span<const SizeSource> sources) {
+    return field_of(*field.data_, sources);
 }
 
 namespace {

@@ -53,7 +53,9 @@ class SizingField {
     double growth() const;
     /// Boxes outside of which both fields are equal; one that holds all space where they are of different kinds.
     friend std::vector<Box> where_different(const SizingField& a, const SizingField& b);
+    friend SizingField with_sources(const SizingField& field, std::span<const SizeSource> sources);
 
+    struct Asked;
     struct Data;
     explicit SizingField(std::shared_ptr<const Data> data);
 
@@ -66,6 +68,8 @@ std::vector<Box> where_different(const SizingField& a, const SizingField& b);
 /// Throws InputError for a size that is zero, negative, or larger than the part.
 SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::span<const SizeSource> sources,
                         RunContext& context);
+/// The field of the same shape and options with these sources in place of its own; the shape is not looked at again.
+SizingField with_sources(const SizingField& field, std::span<const SizeSource> sources);
 
 /// The source as it is where it asks for less than nine tenths of what the field does, else with half of that: a field
 /// with it is another one.

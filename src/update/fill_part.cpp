@@ -394,7 +394,7 @@ class SizeLoop {
     void make_field() {
         std::vector<SizeSource> all = sources_;
         all.insert(all.end(), shorter_.begin(), shorter_.end());
-        field_ = make_sizing(brep_, options_.sizing, all, context_);
+        field_ = with_sources(plain_, all);
     }
 
     std::variant<Filled, Message> outcome(const Attempt& attempt) {

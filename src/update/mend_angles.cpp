@@ -197,7 +197,7 @@ class AngleMender {
     void run() {
         std::vector<SmallTet> small = small_tets(filled_.mesh, origin_);
         if (small.empty() || small.size() > std::max(few_tets, filled_.mesh.tets.size() / one_tet_in)) return;
-        field_ = make_sizing(brep_, options_.sizing, sources_, context_);
+        field_ = with_sources(*filled_.sizing, sources_);
         const std::size_t rounds = std::max<std::size_t>(1, most_tets_again / filled_.mesh.tets.size());
         for (std::size_t round = 0; round < rounds && rounds_.size() < most_rounds && !is_dear(); ++round) {
             const std::vector<Place> places = places_to_mend(small);
@@ -241,7 +241,7 @@ class AngleMender {
         std::vector<SizeSource> sources = sources_;
         for (const Place& place : places)
             for (const SmallTet& tet : place.tets) sources.push_back(wanted(tet, tries(place)));
-        const SizingField shorter = make_sizing(brep_, options_.sizing, sources, context_);
+        const SizingField shorter = with_sources(*field_, sources);
         Kept kept = kept_beside(places, shorter);
         if (kept.node_origin.empty()) return false;
         const SolidId first = filled_.mesh.tet_solids[places.front().tets.front().tet.index()];
