@@ -166,7 +166,7 @@ def look_again(document):
     _moved.difference_update([place for place in _moved if place[0] == document.Name])
     mended = [obj for obj in moved if obj is not None and "Invalid" in obj.State and pairs_of(obj)]
     left_out = {above for obj in mended for above in obj.InListRecursive if "Touched" in above.State}
-    for obj in mended + sorted(left_out, key=lambda above: len(above.OutListRecursive)):
+    for obj in mended + sorted(left_out, key=lambda above: (len(above.OutListRecursive), above.Name)):
         if obj.recompute():
             obj.purgeTouched()
 
