@@ -133,9 +133,9 @@ class _Observer:
             results.note_again(obj, from_input=True)   # since 1.1 a solver fills its pipeline anew
         if FreeCAD.isRestoring() or obj.Document.Recomputing:
             return
-        _left_touched.get(obj.Document.Name, set()).discard(obj.Name)
+        _left_touched.get(obj.Document.Name, set()).discard(_name_of(obj))
         if obj.Document.Transacting:
-            return   # what an undo takes away has no name
+            return
         results.member_changed(obj, name)
         if name not in _WATCHED:
             return
@@ -194,6 +194,14 @@ def _is_beside_its_part(mesh):
     """Was the part moved, which needs no recompute, before something else that is undone now?"""
     part = versions.part_of(mesh)
     return part is not None and has_shape(part) and not hand_over.lies_on(mesh.Proxy.arrays(mesh), part.Shape)
+
+
+def _name_of(obj):
+    """None of what an undo takes away."""
+    try:
+        return obj.Name
+    except RuntimeError:
+        return None
 
 
 def _is_ours(obj):
