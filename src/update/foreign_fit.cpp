@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "brep/enclosure.h"
 #include "core/errors.h"
 #include "core/geometry.h"
 #include "core/ids.h"
+#include "core/joined_sets.h"
 #include "core/messages.h"
 #include "mesh/second_order.h"
 #include "mesh/side_table.h"
@@ -105,21 +105,12 @@ class Fitter {
     // Tets that meet in a triangle are in the same solid unless a face between two solids is there: one point tells for
     // all.
     void sort_into_solids() {
-        std::vector<std::int32_t> parent(mesh_.tets.size());
-        std::iota(parent.begin(), parent.end(), 0);
-        const auto root = [&](std::int32_t t) {
-            while (parent[std::size_t(t)] != t)
-                t = parent[std::size_t(t)] = parent[std::size_t(parent[std::size_t(t)])];
-            return t;
-        };
-        join_neighbours([&](std::size_t a, std::size_t b) {
-            const std::int32_t p = root(std::int32_t(a)), q = root(std::int32_t(b));
-            parent[std::size_t(std::max(p, q))] = std::min(p, q);
-        });
+        JoinedSets pieces(mesh_.tets.size());
+        join_neighbours([&](std::size_t a, std::size_t b) { pieces.join(std::int32_t(a), std::int32_t(b)); });
         std::vector<std::int32_t> largest(mesh_.tets.size(), -1);
         for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
             if (is_released_[t]) continue;
-            std::int32_t& best = largest[std::size_t(root(std::int32_t(t)))];
+            std::int32_t& best = largest[std::size_t(pieces.root(std::int32_t(t)))];
             if (best < 0 || six_volumes(mesh_, t) > six_volumes(mesh_, std::size_t(best))) best = std::int32_t(t);
         }
         // Solids may overlap, so a point may be in several: where a face is known, in one that it bounds.
@@ -129,7 +120,7 @@ class Fitter {
             for (std::size_t k = 0; k < 2; ++k) {
                 const TetId tet = triangle.tets[k];
                 if (!tet.is_valid() || is_released_[tet.index()] || !beside[k].is_valid()) continue;
-                std::vector<char>& solids = may_be[root(tet.value)];
+                std::vector<char>& solids = may_be[pieces.root(tet.value)];
                 solids.resize(brep_.solid_count());
                 solids[beside[k].index()] = 1;
             }
@@ -142,7 +133,7 @@ class Fitter {
         solid_of_.assign(mesh_.tets.size(), SolidId());
         for (std::size_t t = 0; t < mesh_.tets.size(); ++t) {
             if (is_released_[t]) continue;
-            solid_of_[t] = solid_of_root[std::size_t(root(std::int32_t(t)))];
+            solid_of_[t] = solid_of_root[std::size_t(pieces.root(std::int32_t(t)))];
             outside_ += !solid_of_[t].is_valid();
         }
         fit_.released_tets = std::size_t(std::count(solid_of_.begin(), solid_of_.end(), SolidId()));

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "brep/enclosure.h"
+#include "core/joined_sets.h"
 #include "mesh/tets_at_nodes.h"
 #include "update/kept_entities.h"
 
@@ -13,33 +13,15 @@ namespace featuremesh {
 
 namespace {
 
-/// Numbers joined to sets, each named by its lowest.
-class JoinedSets {
-  public:
-    explicit JoinedSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-    std::int32_t root(std::int32_t n) {
-        while (parent_[std::size_t(n)] != n)
-            n = parent_[std::size_t(n)] = parent_[std::size_t(parent_[std::size_t(n)])];
-        return n;
-    }
-    void join(std::int32_t m, std::int32_t n) {
-        if (parent_[std::size_t(m)] == parent_[std::size_t(n)]) return;
-        const auto a = root(m), b = root(n);
-        parent_[std::size_t(std::max(a, b))] = std::min(a, b);
-    }
-    /// Its nodes.
-    void join(const std::array<NodeId, 4>& tet) {
-        for (std::size_t k = 1; k < 4; ++k) join(tet[0].value, tet[k].value);
-    }
-
-  private:
-    std::vector<std::int32_t> parent_;
-};
+/// Its nodes.
+void join(JoinedSets& sets, const std::array<NodeId, 4>& tet) {
+    for (std::size_t k = 1; k < 4; ++k) sets.join(tet[0].value, tet[k].value);
+}
 
 /// The piece of each of the tets, where those with a common node are one.
 std::vector<std::int32_t> pieces_by_nodes(const Mesh& mesh, std::span<const std::int32_t> tets) {
     JoinedSets nodes(mesh.corner_count);
-    for (const std::int32_t t : tets) nodes.join(mesh.tets[std::size_t(t)]);
+    for (const std::int32_t t : tets) join(nodes, mesh.tets[std::size_t(t)]);
     std::vector<std::int32_t> pieces;
     for (const std::int32_t t : tets) pieces.push_back(nodes.root(mesh.tets[std::size_t(t)][0].value));
     return pieces;
@@ -290,7 +272,7 @@ void KeptTets::drop_islands(const std::vector<std::vector<std::int32_t>>& rims) 
     for (std::size_t s = 0; s < solid_count_; ++s) {
         JoinedSets regions(old_.corner_count);
         for (const std::size_t t : near)
-            if (old_.tet_solids[t] == SolidId(s)) regions.join(old_.tets[t]);
+            if (old_.tet_solids[t] == SolidId(s)) join(regions, old_.tets[t]);
         std::vector<std::int32_t> gone;
         for (const auto& rim : rims)
             if (old_.tet_solids[std::size_t(rim.front())] == SolidId(s))

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 #include <string>
 #include <tuple>
 
 #include "core/errors.h"
+#include "core/joined_sets.h"
 #include "core/messages.h"
 #include "mesh/second_order.h"
 
@@ -216,23 +216,6 @@ Cavity make_cavity(const Mesh& mesh, const std::vector<HalfFacet>& half_facets) 
     return cavity;
 }
 
-/// Sets of cavity nodes, joined through facets.
-class NodeSets {
-  public:
-    explicit NodeSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-    int root(int n) {
-        while (parent_[n] != n) n = parent_[n] = parent_[parent_[n]];
-        return n;
-    }
-    void join(int a, int b) {
-        a = root(a), b = root(b);
-        parent_[std::max(a, b)] = std::min(a, b);
-    }
-
-  private:
-    std::vector<int> parent_;
-};
-
 /// A connected piece of the boundary: its box and the regions it bounds.
 struct Shell {
     int root;
@@ -245,7 +228,7 @@ struct Shell {
     }
 };
 
-std::vector<Shell> find_shells(const Cavity& cavity, NodeSets& sets) {
+std::vector<Shell> find_shells(const Cavity& cavity, JoinedSets& sets) {
     std::vector<Shell> shells;
     std::vector<int> shell_of(cavity.points.size(), -1);
     for (std::size_t n = 0; n < cavity.points.size(); ++n) {
@@ -266,7 +249,7 @@ std::vector<Shell> find_shells(const Cavity& cavity, NodeSets& sets) {
 /// meets that of the other, because one may bound a void in the other. Solids without a common node are different
 /// parts, even where they touch.
 std::vector<int> number_parts(const Cavity& cavity, int& part_count) {
-    NodeSets sets(cavity.points.size());
+    JoinedSets sets(cavity.points.size());
     for (const Facet& f : cavity.facets) sets.join(f.corners[0], f.corners[1]), sets.join(f.corners[0], f.corners[2]);
     bool is_changed = true;
     while (is_changed) {
