@@ -10,7 +10,7 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include "brep/solid_probe.h"
 
@@ -112,15 +112,13 @@ SolidId SolidLocator::solid_at(const Vec3& p, std::span<const char> may_be) cons
 }
 
 PointGrid::PointGrid(std::vector<Vec3> points, double spacing) : spacing_(spacing) {
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        const auto ka = bucket_of(points[a]), kb = bucket_of(points[b]);
-        return ka != kb ? ka < kb : a < b;
-    });
-    for (const std::size_t i : order) {
+    std::vector<std::pair<std::array<std::int64_t, 3>, std::size_t>> order;
+    order.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) order.emplace_back(bucket_of(points[i]), i);
+    std::sort(order.begin(), order.end());
+    for (const auto& [bucket, i] : order) {
         points_.push_back(points[i]);
-        buckets_.push_back(bucket_of(points[i]));
+        buckets_.push_back(bucket);
     }
 }
 

@@ -11,12 +11,12 @@
 #include "difference/cell_strips.h"
 #include "difference/surface_cells.h"
 #include "difference/surface_chart.h"
+#include "difference/told_cells.h"
 #include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 namespace {
 constexpr double most_border_cells = 20000;
-constexpr std::size_t most_told_cells = 64;
 constexpr double gap = 1e-6;  // mm, between ends of edges that are meant to meet
 
 /// A stretch of a changed piece in the parameter plane; the true curve is no further from it than `margin` (scaled,
@@ -26,12 +26,6 @@ struct Segment {
     double margin;
     bool is_border;    ///< left of it is difference and right of it not, or the other way round
     bool is_straight;  ///< just so in the parameter plane
-};
-
-/// A cell that no border enters, and whether it belongs to the difference.
-struct ToldCell {
-    UvBox cell;
-    bool differs;
 };
 
 class TrimRaster {
@@ -57,6 +51,7 @@ class TrimRaster {
         if (chart_.underlying().kind == SurfaceKind::plane && !clip_root_to_domain()) return;
         chart_.scale_for(root_);
         cells_.begin_in(root_);
+        told_.emplace(root_);
         if (!known) return cells_.add(root_);
         shift_into_root();
         widen_margins();
@@ -148,32 +143,39 @@ class TrimRaster {
         return std::nullopt;
     }
 
-    double resolution_along(const UnderlyingCurve& curve, const ChangedPiece& piece) const {
+    /// The finest along a piece of that length; between two looks it changes by less than half.
+    double resolution_along(const UnderlyingCurve& curve, const ChangedPiece& piece, double length) const {
         double least = resolution_.at(point_at(curve, piece.first));
-        for (int i = 1; resolution_.coarser && i <= 16; ++i)
-            least = std::min(least, resolution_.at(point_at(curve, piece.first + (piece.last - piece.first) * i / 16)));
+        if (!resolution_.coarser) return least;
+        const int looks = int(std::clamp(std::ceil(length / least), 1.0, 16.0));
+        for (int i = 1; i <= looks; ++i)
+            least =
+                std::min(least, resolution_.at(point_at(curve, piece.first + (piece.last - piece.first) * i / looks)));
         return least;
+    }
+
+    static double length_of(const UnderlyingCurve& curve, const ChangedPiece& piece) {
+        if (curve.kind == CurveKind::line) return piece.last - piece.first;
+        if (curve.kind != CurveKind::free_form) return curve.radius * (piece.last - piece.first);
+        double length = 0;
+        Vec3 last = point_at(curve, piece.first);
+        for (int i = 1; i <= 16; ++i) {
+            const Vec3 p = point_at(curve, piece.first + (piece.last - piece.first) * i / 16);
+            length += distance(last, p), last = p;
+        }
+        return length;
     }
 
     int samples_of(const UnderlyingCurve& curve, const ChangedPiece& piece) const {
         const SurfaceKind kind = chart_.underlying().kind;
         if (curve.kind == CurveKind::line && kind != SurfaceKind::free_form) return 1;
         // No chord strays from its curve by more than an eighth of the resolution.
-        const double resolution = resolution_along(curve, piece),
+        const double length = length_of(curve, piece), resolution = resolution_along(curve, piece, length),
                      sampling = std::min(std::max(leaf_, resolution), 10 * resolution);
-        if (curve.kind == CurveKind::line)
-            return int(std::clamp(std::ceil(4 * (piece.last - piece.first) / sampling), 4.0, 400.0));
-        double size = curve.radius * (piece.last - piece.first), turns = (piece.last - piece.first) / 0.2;
-        if (curve.kind == CurveKind::free_form) {
-            size = 0, turns = 24;
-            Vec3 last = point_at(curve, piece.first);
-            for (int i = 1; i <= 16; ++i) {
-                const Vec3 p = point_at(curve, piece.first + (piece.last - piece.first) * i / 16);
-                size += distance(last, p), last = p;
-            }
-        }
-        const double most = curve.kind == CurveKind::free_form ? 1000 : 10000;
-        return int(std::clamp(std::max(std::ceil(2 * size / sampling), turns), 2.0, most));
+        if (curve.kind == CurveKind::line) return int(std::clamp(std::ceil(4 * length / sampling), 4.0, 400.0));
+        const bool is_free = curve.kind == CurveKind::free_form;
+        const double turns = is_free ? 24 : (piece.last - piece.first) / 0.2;
+        return int(std::clamp(std::max(std::ceil(2 * length / sampling), turns), 2.0, is_free ? 1000.0 : 10000.0));
     }
 
     // A difference ends at changed pieces, so its extent is theirs, except round a sphere or a torus or on a closed
@@ -444,15 +446,10 @@ class TrimRaster {
     /// Of a cell that nothing enters. True also when no point of it could be told.
     bool differs(const UvBox& cell) {
         if (by_crossings_) return told(cell, [&](const Uv& uv) { return differs_by_crossings(uv); }).value_or(true);
-        // No changed piece lies between two such cells that share a border.
-        for (const ToldCell& other : told_)
-            if (share_a_border(cell, other.cell)) return other.differs;
-        const auto verdict = told(cell, [&](const Uv& uv) { return differs_by_trims(uv); });
+        auto verdict = told_->beside(cell);
+        if (!verdict) verdict = told(cell, [&](const Uv& uv) { return differs_by_trims(uv); });
         if (!verdict) return true;
-        if (told_.size() < most_told_cells)
-            told_.push_back({cell, *verdict});
-        else
-            told_[next_told_++ % most_told_cells] = {cell, *verdict};
+        told_->add(cell, *verdict);
         return *verdict;
     }
 
@@ -462,17 +459,6 @@ class TrimRaster {
         for (const auto& [s, t] : fractions)
             if (const auto verdict = differs_at(cell.at(s, t))) return verdict;
         return std::nullopt;
-    }
-
-    /// Cells come from halving, so that borders which meet are the same to the last bit or nearly so.
-    bool share_a_border(const UvBox& a, const UvBox& b) const {
-        for (int k = 0; k < 2; ++k) {
-            const double least = 0.5 * std::min(a.size(1 - k), b.size(1 - k));
-            const double together = std::min(a.high[1 - k], b.high[1 - k]) - std::max(a.low[1 - k], b.low[1 - k]);
-            const double gap_between = std::max(a.low[k], b.low[k]) - std::min(a.high[k], b.high[k]);
-            if (together > least && std::abs(gap_between) <= 1e-12 * root_.size(k)) return true;
-        }
-        return false;
     }
 
     /// The parity of the borders between the point and infinity, on a cone away from the apex; nothing when a border
@@ -528,8 +514,7 @@ class TrimRaster {
     std::vector<int> entering_;  ///< the cell that is visited; before them those that enter the cells around it
     std::vector<Vec3> border_ends_;
     std::vector<std::pair<Vec3, Uv>> ends_;  ///< of all pieces, with their parameters
-    std::vector<ToldCell> told_;             ///< the latest, without an order
-    std::size_t next_told_ = 0;
+    std::optional<ToldCells> told_;
     bool by_crossings_ = false;
     std::vector<std::vector<int>> columns_;  ///< border segments by u
 };

@@ -80,24 +80,35 @@ class Keeper {
     bool has_tets() const { return in_.new_brep.dimension() == Dimension::solids; }
     bool has_shells() const { return in_.old_brep.has_free_faces() || in_.old_brep.has_free_edges(); }
 
-    // The nodes of tets inside a feature that moved prefer its motion, all others stay where they are. Nodes on the
-    // feature's own faces may be outside of its triangulation; the middles of their tets are not.
+    // The nodes of tets inside a feature that moved prefer its motion (that of the last one, inside several), all
+    // others stay where they are. Nodes on the feature's own faces may be outside of its triangulation; the middles of
+    // their tets are not.
     void choose_motions() {
-        const Mesh& old = in_.old_mesh;
-        for (std::size_t r = 1; r < nodes_.regions().size(); ++r) {
+        std::vector<std::pair<std::int32_t, Enclosure>> features;
+        for (std::size_t r = nodes_.regions().size(); r-- > 1;) {
             std::vector<TopoDS_Shape> volumes = nodes_.regions()[r].volumes;
             std::erase_if(volumes, [](const TopoDS_Shape& v) { return dimension_of(v) != Dimension::solids; });
-            if (volumes.empty()) continue;
-            const Enclosure inside(volumes);
-            RoundWatch watch(context_);
-            for (std::size_t t = 0; t < old.tets.size(); ++t) {
-                watch();
+            if (!volumes.empty()) features.emplace_back(std::int32_t(r), Enclosure(volumes));
+            context_.check_cancelled();
+        }
+        if (features.empty()) return;
+        const Mesh& old = in_.old_mesh;
+        std::vector<std::int32_t> motion_of(old.tets.size(), 0);
+        parallel_for(context_, old.tets.size(), 4096, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t t = begin; t < end; ++t) {
                 const auto& [a, b, c, d] = old.tets[t];
-                if (!inside.contains((old.point(a) + old.point(b) + old.point(c) + old.point(d)) / 4)) continue;
-                for (const NodeId n : old.tets[t]) motions_[n.index()] = std::int32_t(r);
-                if (old.order == 2)
-                    for (const NodeId n : old.tet_mids[t]) motions_[n.index()] = std::int32_t(r);
+                const Vec3 middle = (old.point(a) + old.point(b) + old.point(c) + old.point(d)) / 4;
+                const auto holds_it = [&](const auto& feature) { return feature.second.contains(middle); };
+                const auto found = std::find_if(features.begin(), features.end(), holds_it);
+                if (found != features.end()) motion_of[t] = found->first;
             }
+        });
+        for (std::size_t t = 0; t < old.tets.size(); ++t) {
+            if (motion_of[t] == 0) continue;
+            const auto take = [&](NodeId n) { motions_[n.index()] = std::max(motions_[n.index()], motion_of[t]); };
+            for (const NodeId n : old.tets[t]) take(n);
+            if (old.order == 2)
+                for (const NodeId n : old.tet_mids[t]) take(n);
         }
     }
 
@@ -305,7 +316,7 @@ class Keeper {
             for (std::size_t n = 0; n < node_count(); ++n)
                 if (motions_[n] == std::int32_t(r)) {
                     box.add(nodes_.at(n));
-                    spacing = std::max(spacing, clearance_between_motions * in_.new_sizing.at(nodes_.at(n)));
+                    spacing = std::max(spacing, clearance_between_motions * asked_[n].wanted);
                 }
             if (box.is_empty()) continue;
             std::vector<Vec3> settled;
@@ -316,7 +327,7 @@ class Keeper {
             const PointGrid grid(std::move(settled), spacing);
             for (std::size_t n = 0; n < node_count(); ++n)
                 if (motions_[n] == std::int32_t(r) && !is_untouched(n) &&
-                    grid.has_within(nodes_.at(n), clearance_between_motions * in_.new_sizing.at(nodes_.at(n))))
+                    grid.has_within(nodes_.at(n), clearance_between_motions * asked_[n].wanted))
                     motions_[n] = dropped;
         }
         clear_surfaces_of_carried();
@@ -329,7 +340,7 @@ class Keeper {
         for (std::size_t n = 0; n < node_count(); ++n)
             if (motions_[n] > 0) {
                 carried.push_back(nodes_.at(n));
-                spacing = std::max(spacing, clearance_between_motions * in_.new_sizing.at(carried.back()));
+                spacing = std::max(spacing, clearance_between_motions * asked_[n].wanted);
             }
         if (carried.empty() || near_change_.empty()) return;
         const PointGrid grid(std::move(carried), spacing);
@@ -361,14 +372,12 @@ class Keeper {
         double spacing = 0;
         for (const std::size_t n : nodes) {
             if (motions_[n] >= 0 && motions_[n] < motion) settled.push_back(nodes_.at(n));
-            if (motions_[n] == motion)
-                spacing = std::max(spacing, clearance_between_motions * in_.new_sizing.at(nodes_.at(n)));
+            if (motions_[n] == motion) spacing = std::max(spacing, clearance_between_motions * asked_[n].wanted);
         }
         if (settled.empty() || spacing == 0) return;
         const PointGrid grid(std::move(settled), spacing);
         for (const std::size_t n : nodes)
-            if (motions_[n] == motion &&
-                grid.has_within(nodes_.at(n), clearance_between_motions * in_.new_sizing.at(nodes_.at(n))))
+            if (motions_[n] == motion && grid.has_within(nodes_.at(n), clearance_between_motions * asked_[n].wanted))
                 motions_[n] = dropped;
     }
 
