@@ -266,6 +266,38 @@ class Assembly(InADocument):
         with self.assertRaisesRegex(UserError, "Plate4 and Plate5 overlap"):
             part.Proxy.assemble(part)
 
+    def test_what_touches_nothing_is_there_when_parts_are_joined(self):
+        """General Fuse lists no pieces of it, nor of a compound, as which later versions of FreeCAD have a body."""
+        part, boxes = self.joined_tower()
+        alone, container = self.document.addObject("Part::Cylinder", "Alone"), part.Container
+        alone.Placement = placement(50, 50, 0)
+        beside = self.document.addObject("Part::Feature", "Beside")
+        beside.Shape = Part.makeCompound([Part.makeBox(2, SIDE, HEIGHT, FreeCAD.Vector(-2, 0, 0)), Part.makeBox(2, 2, 2, FreeCAD.Vector(-20, 0, 0))])
+        for obj in (alone, beside):
+            container.addObject(obj)
+        self.document.recompute()
+        self.assertEqual([len(shape.Solids) for shape in part.Shape.SubShapes], [1] * (COUNT + 1) + [2])
+        self.assertAlmostEqual(part.Shape.Volume, sum(obj.Shape.Volume for obj in [*boxes, alone, beside]))
+        self.assertEqual(len(part.Joints), COUNT)
+        self.assertIn("Plate0 and Beside", part.Joints[-1] + part.Joints[0])
+
+    def test_a_compound_that_overlaps_is_not_joined(self):
+        part, boxes = self.joined_tower()
+        box = self.document.addObject("Part::Feature", "Beside")
+        box.Shape = Part.makeCompound([Part.makeBox(2, SIDE, HEIGHT, FreeCAD.Vector(-1, 0, 0))])
+        part.Container.addObject(box)
+        with self.assertRaisesRegex(UserError, "Plate0 and Beside overlap"):
+            part.Proxy.assemble(part)
+
+    def test_a_solid_that_is_inside_out_is_joined(self):
+        part, boxes = self.joined_tower()
+        box = self.document.addObject("Part::Feature", "Beside")
+        box.Shape = Part.makeBox(2, SIDE, HEIGHT, FreeCAD.Vector(-2, 0, 0)).reversed()
+        part.Container.addObject(box)
+        self.document.recompute()
+        self.assertAlmostEqual(part.Shape.Volume, sum(obj.Shape.Volume for obj in boxes) + 2 * SIDE * HEIGHT)
+        self.assertEqual(len(part.Joints), COUNT)
+
     def test_an_empty_container_is_refused(self):
         empty = self.document.addObject("App::Part", "Empty")
         with self.assertRaisesRegex(UserError, "Empty has no part with a solid"):

@@ -8,6 +8,8 @@ A link has a shape, but FreeCAD (0.20 to 1.1) crashes when a constraint refers t
 it is shown by such an object, too, to which loads and supports refer.
 """
 
+import itertools
+
 import FreeCAD
 import Part
 
@@ -26,6 +28,7 @@ PROPERTIES = [
     ("App::PropertyBool", "Join", "Parts", False, False, "Parts that lie on one another share faces, and the mesh its nodes there"),
     ("App::PropertyStringList", "Joints", "Parts", None, True, "The faces that joined parts share"),
 ]
+_LOST = 1e-4   # share of a solid's volume by which its pieces may differ from it
 # Called with every object that was made or opened; the window's side adds its view there.
 on_ready = []
 
@@ -72,17 +75,40 @@ class AssembledParts(Stateless):
 
 
 def joined(parts, shapes):
-    """The shapes with faces in common where they lie on one another, in their order. Throws UserError for parts that overlap."""
-    if len(shapes) < 2:
+    """The solids of the shapes with faces in common where they lie on one another, by part in their order. Throws UserError for parts that overlap."""
+    solids = [solid for shape in shapes for solid in map(_right_side_out, shape.Solids)]   # General Fuse tells no pieces of compounds
+    if len(solids) < 2:
         return shapes
-    _, pieces_of = shapes[0].generalFuse(shapes[1:])
-    solids = [[solid for piece in pieces for solid in piece.Solids] for pieces in pieces_of]
-    for index, own in enumerate(solids):
-        for other in range(index):
-            if any(solid.isSame(known) for solid in own for known in solids[other]):
+    _, pieces_of = solids[0].generalFuse(solids[1:])
+    listed = zip(solids, pieces_of)
+    of_parts = []
+    for part, shape in zip(parts, shapes):
+        own = []
+        for solid, pieces in itertools.islice(listed, len(shape.Solids)):
+            own += [piece for piece in _pieces_of(solid, pieces, part) if not _is_among(piece, own)]
+        for other, known in zip(parts, of_parts):
+            if any(_is_among(piece, known) for piece in own):
                 raise UserError(said("{one:text} and {other:text} overlap; parts that are joined may only touch",
-                                     one=reading.describe(parts[other]), other=reading.describe(parts[index])))
-    return [own[0] if len(own) == 1 else Part.makeCompound(own) for own in solids]
+                                     one=reading.describe(other), other=reading.describe(part)))
+        of_parts.append(own)
+    return [own[0] if len(own) == 1 else Part.makeCompound(own) for own in of_parts]
+
+
+def _pieces_of(solid, pieces, part):
+    """What General Fuse made of a solid. It lists nothing for one that no other touches. Throws UserError where it is not the whole solid."""
+    found = [_right_side_out(piece) for listed in pieces for piece in listed.Solids] or [solid]
+    if abs(sum(piece.Volume for piece in found) - solid.Volume) > _LOST * solid.Volume:
+        raise UserError(said("FreeCAD's General Fuse makes another shape of {part:text}, so it cannot be joined to the parts that it touches; check it "
+                             "(Part: Check geometry)", part=reading.describe(part)))
+    return found
+
+
+def _right_side_out(solid):
+    return solid.reversed() if solid.Volume < 0 else solid
+
+
+def _is_among(shape, others):
+    return any(shape.isSame(other) for other in others)
 
 
 def joints_in(parts, shape):

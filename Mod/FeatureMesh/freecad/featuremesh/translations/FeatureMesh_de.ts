@@ -515,6 +515,10 @@
       <translation>FreeCAD {version:text} kann nicht alles von {path:text} lesen{objects:messages}, und es ginge beim Schreiben verloren; mit --out eine andere Datei schreiben oder das FreeCAD nehmen, mit dem sie gemacht wurde</translation>
     </message>
     <message>
+      <source>FreeCAD's General Fuse makes another shape of {part:text}, so it cannot be joined to the parts that it touches; check it (Part: Check geometry)</source>
+      <translation>FreeCADs „General Fuse“ macht aus {part:text} eine andere Form, deshalb lässt es sich nicht mit den Bauteilen verbinden, die es berührt; die Form prüfen (Part: Geometrie prüfen)</translation>
+    </message>
+    <message>
       <source>Its libraries</source>
       <translation>Bibliotheken</translation>
     </message>
