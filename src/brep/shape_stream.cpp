@@ -24,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "brep/bodies_apart.h"
 #include "core/errors.h"
 #include "core/messages.h"
 
@@ -52,7 +53,7 @@ struct ByteBuffer : std::streambuf {
 /// FreeCAD's shapes carry the placement of every modelling step and its inverse, each as an object of its own. Most of
 /// these chains multiply out to nothing, yet the kernel multiplies them whenever it is asked where a shape is. Here
 /// equal placements become one object, and placements without effect are left out, so that a placement and its inverse
-/// cancel. Shapes that were shared stay shared.
+/// cancel. Shapes that were shared stay shared, and more may be, see keep_bodies_apart.
 class PlainLocations {
   public:
     /// Reads the kernel's list of locations: matrices, and chains of powers of those before them.
@@ -178,12 +179,9 @@ class PlainShapes : public BinTools_ShapeSet {
 
 // FreeCAD writes a ShapeSet followed by shape index, location index and orientation, which is not what BinTools::Write
 // writes.
-TopoDS_Shape read_compound(std::span<const std::byte> bytes) {
-    PlainLocations places;
-    const std::string numbered = with_numbers(bytes, places);
-    ByteBuffer buffer(std::as_bytes(std::span(numbered)));
+TopoDS_Shape read_compound(std::span<const std::byte> bytes, BinTools_ShapeSet& set, const auto& place_of) {
+    ByteBuffer buffer(bytes);
     std::istream in(&buffer);
-    PlainShapes set(places);
     set.Read(in);
     if (set.NbShapes() == 0) throw StateError(say<Code::shapes_not_binary>());
     int shape = 0, location = 0, orientation = 0;
@@ -192,9 +190,39 @@ TopoDS_Shape read_compound(std::span<const std::byte> bytes) {
     BinTools::GetInteger(in, orientation);
     if (!in || shape <= 0 || shape > set.NbShapes()) throw StateError(say<Code::shapes_cut_short>());
     TopoDS_Shape compound = set.Shape(shape);
-    compound.Location(places[static_cast<std::size_t>(location)]);
+    compound.Location(place_of(location));
     compound.Orientation(static_cast<TopAbs_Orientation>(orientation));
     return compound;
+}
+
+std::vector<TopoDS_Shape> children_of(const TopoDS_Shape& compound) {
+    std::vector<TopoDS_Shape> shapes;
+    for (TopoDS_Iterator child(compound); child.More(); child.Next()) shapes.push_back(child.Value());
+    return shapes;
+}
+
+std::vector<TopoDS_Shape> read_plain(std::span<const std::byte> bytes) {
+    PlainLocations places;
+    const std::string numbered = with_numbers(bytes, places);
+    PlainShapes set(places);
+    const auto place_of = [&](int location) { return places[static_cast<std::size_t>(location)]; };
+    return children_of(read_compound(std::as_bytes(std::span(numbered)), set, place_of));
+}
+
+std::vector<TopoDS_Shape> read_by_kernel(std::span<const std::byte> bytes) {
+    BinTools_ShapeSet set;
+    return children_of(read_compound(bytes, set, [&](int location) { return set.Locations().Location(location); }));
+}
+
+// Two parts that are cut from one block, say, have the uncut faces in common where equal places are one object. The
+// kernel tells them apart, and so do FreeCAD's numbers of faces.
+void keep_bodies_apart(std::vector<TopoDS_Shape>& shapes, std::span<const std::byte> bytes) {
+    std::vector<TopoDS_Shape> by_kernel;
+    for (std::size_t s = 0; s < shapes.size(); ++s) {
+        if (!has_joined_bodies(shapes[s])) continue;
+        if (by_kernel.empty()) by_kernel = read_by_kernel(bytes);
+        shapes[s] = with_bodies_apart(shapes[s], by_kernel[s]);
+    }
 }
 
 }  // namespace
@@ -203,8 +231,8 @@ std::vector<TopoDS_Shape> read_shapes(std::span<const std::byte> bytes) {
     if (bytes.empty()) throw StateError(say<Code::shapes_missing>());
     std::vector<TopoDS_Shape> shapes;
     try {
-        const TopoDS_Shape compound = read_compound(bytes);
-        for (TopoDS_Iterator child(compound); child.More(); child.Next()) shapes.push_back(child.Value());
+        shapes = read_plain(bytes);
+        keep_bodies_apart(shapes, bytes);
     } catch (const Standard_Failure& failure) {
         throw StateError(say<Code::shapes_unreadable>(failure.GetMessageString()));
     } catch (const std::bad_alloc&) {

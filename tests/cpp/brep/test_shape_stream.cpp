@@ -5,11 +5,13 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <gp_Ax1.hxx>
 #include <gp_Trsf.hxx>
@@ -51,6 +53,26 @@ TEST_CASE("shapes that are read say when they are in the same place, or in none 
     CHECK(back[1].IsSame(back[2]));
     CHECK_FALSE(back[2].IsSame(back[3]));
     CHECK(Brep(back[3]).box().low.x == Approx(6));
+}
+
+TEST_CASE("two solids in one place have as many faces as for FreeCAD") {
+    const TopoDS_Shape solid = BRepPrimAPI_MakeBox(1, 2, 3).Solid();
+    const auto own_place = [](const TopoDS_Shape& shape) { return shape.Located(TopLoc_Location(gp_Trsf())); };
+    const auto together = [](const std::vector<TopoDS_Shape>& shapes) {
+        TopoDS_Compound all;
+        BRep_Builder().MakeCompound(all);
+        for (const TopoDS_Shape& shape : shapes) BRep_Builder().Add(all, shape);
+        return all;
+    };
+    const TopoDS_Shape placed = own_place(solid);
+    const auto back = read_shapes(write_shapes(std::vector<TopoDS_Shape>{
+        solid, together({solid, own_place(solid)}), together({placed, together({placed, own_place(solid)}), solid}),
+        together({solid, solid})}));
+    CHECK(Brep(back[0]).face_count() == 6);
+    CHECK(Brep(back[1]).face_count() == 12);
+    CHECK(Brep(back[2]).face_count() == 18);
+    CHECK(Brep(back[3]).face_count() == 6);
+    CHECK(Brep(back[1]).box().high.z == Approx(3));
 }
 
 TEST_CASE("chains of placements that come to nothing are gone after reading, and what is shared stays shared") {
