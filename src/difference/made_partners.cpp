@@ -107,15 +107,20 @@ class PieceMatcher {
         }
         for (const int g : new_piece(n).faces)
             if (new_face(g).elements.empty()) new_caps.push_back(g);
-        const auto by_height = [](const MadeFaces& made) {
-            return [&made](int a, int b) {
-                return made.faces()[std::size_t(a)].height < made.faces()[std::size_t(b)].height;
-            };
-        };
         if (old_caps.size() != new_caps.size()) return;
-        std::stable_sort(old_caps.begin(), old_caps.end(), by_height(was_));
-        std::stable_sort(new_caps.begin(), new_caps.end(), by_height(is_));
-        for (std::size_t i = 0; i < old_caps.size(); ++i) add(old_caps[i], new_caps[i]);
+        const std::vector<char> old_alone = sort_by_height(was_, old_caps), new_alone = sort_by_height(is_, new_caps);
+        for (std::size_t i = 0; i < old_caps.size(); ++i)
+            if (old_alone[i] && new_alone[i]) add(old_caps[i], new_caps[i]);
+    }
+
+    /// Which of them are alone at their height? Which is which of several there the kernel's order does not tell.
+    static std::vector<char> sort_by_height(const MadeFaces& made, std::vector<int>& caps) {
+        const auto height = [&](int f) { return made.faces()[std::size_t(f)].height; };
+        std::stable_sort(caps.begin(), caps.end(), [&](int f, int g) { return height(f) < height(g); });
+        std::vector<char> alone(caps.size(), 1);
+        for (std::size_t i = 1; i < caps.size(); ++i)
+            if (height(caps[i]) - height(caps[i - 1]) < boolean_tolerance) alone[i] = alone[i - 1] = 0;
+        return alone;
     }
 
     void match_in_order(int o, int n, const RigidMotion& motion) {

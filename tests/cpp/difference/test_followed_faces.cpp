@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "brep/occt_geometry.h"
 #include "catch.h"
 #include "difference/sample_parts.h"
 #include "difference/underlying_geometry.h"
@@ -156,5 +157,28 @@ TEST_CASE("holes are known by the centres of circles that are by chance as large
             CHECK(std::abs(there.X() - here.X()) < 1e-9);
             CHECK(std::abs(there.Y() - here.Y()) < 1e-9);
         }
+    }
+}
+
+TEST_CASE("faces that no element of the sketch made are not told by the kernel's order") {
+    const SketchElements elements{{"Sketch", {circle(1, {20, 20, 0}, 6)}}};
+    const auto swept = [](PartState state) {
+        Feature sketch;
+        sketch.name = "Sketch";
+        sketch.role = Role::reference;
+        state.tree.features[0].role = Role::pattern;
+        state.tree.features[0].depends_on.push_back(FeatureId(1));
+        state.tree.features.push_back(sketch);
+        sketch.name = "Original";
+        sketch.depends_on.push_back(FeatureId(1));
+        state.tree.features[0].depends_on.push_back(FeatureId(2));
+        state.tree.features.push_back(sketch);
+        return state;
+    };
+    const PartState was = swept(imported({{20, 20, 6}})), is = swept(in_another_order(imported({{20, 20, 6}}), false));
+    const std::vector<FollowedFace> followed = follow_faces(was, elements, is, elements);
+    for (std::size_t f = 0; f < was.brep.face_count(); ++f) {
+        REQUIRE(followed[f].new_faces.size() == 1);
+        CHECK(box_of(is.brep.face(followed[f].new_faces[0])).is_close_to(box_of(was.brep.face(FaceId(f))), 1e-9));
     }
 }
