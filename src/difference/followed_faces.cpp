@@ -21,8 +21,8 @@ namespace {
 constexpr double most_of_it = 0.3;  // share of a face that two faces have in common when one is a piece of the other
 constexpr double nearby = 0.2;      // of a face's diagonal: how far one may have gone, or grown, that is the same one
 
-template <class T>
-bool contains(const std::vector<T>& list, const T& value) {
+template <class List, class T>
+bool contains(const List& list, const T& value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
@@ -44,10 +44,12 @@ class FaceFollower {
     std::vector<FollowedFace> run() {
         motion_ = motion_of_all();
         if (motion_) follow_motion(*motion_);
+        find_candidates();
         for (std::size_t f = 0; f < followed_.size(); ++f) follow_kept(FaceId(f));
         const std::vector<char> kept = claimed_;
         for (std::size_t f = 0; f < followed_.size(); ++f)
             if (is_open(FaceId(f))) follow_origin(FaceId(f), kept);
+        follow_moved_solids();
         for (std::size_t f = 0; f < followed_.size(); ++f) follow_place(FaceId(f), BoundaryVerdict::kept);
         while (follow_neighbours()) {
         }
@@ -71,30 +73,102 @@ class FaceFollower {
     // By what made the face
 
     /// New faces of the final shape on the made faces that those of the old one became.
-    std::vector<FaceId> candidates_of(FaceId f) {
-        if (by_made_.empty()) {
-            by_made_.resize(is_.faces().size());
-            for (std::size_t g = 0; g < claimed_.size(); ++g)
-                for (const int m : is_.made(FaceId(g))) by_made_[std::size_t(m)].push_back(FaceId(g));
+    void find_candidates() {
+        std::vector<std::vector<FaceId>> by_made(is_.faces().size());
+        for (std::size_t g = 0; g < claimed_.size(); ++g)
+            for (const int m : is_.made(FaceId(g))) by_made[std::size_t(m)].push_back(FaceId(g));
+        candidates_.resize(followed_.size());
+        is_of_other_solid_.assign(followed_.size(), 0);
+        for (std::size_t f = 0; f < followed_.size(); ++f) {
+            std::set<FaceId> found;
+            for (const int m : was_.made(FaceId(f)))
+                for (const int n : partners_[std::size_t(m)])
+                    found.insert(by_made[std::size_t(n)].begin(), by_made[std::size_t(n)].end());
+            candidates_[f].assign(found.begin(), found.end());
         }
-        std::set<FaceId> found;
-        for (const int m : was_.made(f))
-            for (const int n : partners_[std::size_t(m)])
-                found.insert(by_made_[std::size_t(n)].begin(), by_made_[std::size_t(n)].end());
-        return {found.begin(), found.end()};
+        if (old_.brep.solid_count() > 1) leave_other_solids_theirs();
+    }
+
+    /// Two parts may be made of one feature, of which only one moved, so that the feature tells of that one alone.
+    void leave_other_solids_theirs() {
+        solids_now_ = find_solids_now();
+        std::vector<char> is_own(claimed_.size(), 0);  // by new face: a candidate of what became its solid
+        for (std::size_t f = 0; f < followed_.size(); ++f)
+            for (const FaceId g : candidates_[f]) is_own[g.index()] |= became_solid_of(FaceId(f), g);
+        for (std::size_t f = 0; f < followed_.size(); ++f) {
+            if (!has_solid_now(FaceId(f))) continue;
+            const auto is_in_own = [&](FaceId g) { return became_solid_of(FaceId(f), g); };
+            const bool has_own = std::any_of(candidates_[f].begin(), candidates_[f].end(), is_in_own);
+            is_of_other_solid_[f] =
+                std::erase_if(candidates_[f], [&](FaceId g) {
+                    return !is_in_own(g) && (is_own[g.index()] || (has_own && is_of_known_solid(g)));
+                }) > 0;
+        }
+    }
+
+    bool has_solid_now(FaceId f) const {
+        const auto solids = old_.brep.solids_beside(f);
+        return std::any_of(solids.begin(), solids.end(),
+                           [&](SolidId was) { return was.is_valid() && solids_now_[was.index()].is_valid(); });
+    }
+
+    bool is_of_known_solid(FaceId g) const {
+        const auto solids = new_.brep.solids_beside(g);
+        return std::any_of(solids.begin(), solids.end(),
+                           [&](SolidId is) { return is.is_valid() && contains(solids_now_, is); });
+    }
+
+    bool became_solid_of(FaceId f, FaceId g) const {
+        for (const SolidId was : old_.brep.solids_beside(f))
+            for (const SolidId is : new_.brep.solids_beside(g))
+                if (was.is_valid() && is.is_valid() && solids_now_[was.index()] == is) return true;
+        return false;
+    }
+
+    /// By old solid the new one that has most candidates of its faces, of several old ones that of most; none where it
+    /// is that of another one.
+    std::vector<SolidId> find_solids_now() const {
+        struct Pair {
+            SolidId was, is;
+            int candidates = 0, kept = 0;  ///< faces that have one there, and that are there in their place
+        };
+        std::map<std::pair<SolidId, SolidId>, Pair> met;
+        for (std::size_t f = 0; f < followed_.size(); ++f) {
+            std::set<SolidId> found;
+            for (const FaceId g : candidates_[f])
+                for (const SolidId is : new_.brep.solids_beside(g)) found.insert(is);
+            const FaceChange& place = in_place_[f];
+            for (const SolidId was : old_.brep.solids_beside(FaceId(f)))
+                for (const SolidId is : found) {
+                    if (!was.is_valid() || !is.is_valid()) continue;
+                    Pair& pair = met.try_emplace({was, is}, Pair{was, is}).first->second;
+                    ++pair.candidates;
+                    if (place.verdict == BoundaryVerdict::kept)
+                        pair.kept += contains(new_.brep.solids_beside(place.new_face), is);
+                }
+        }
+        std::vector<Pair> pairs;
+        for (const auto& [solids, pair] : met) pairs.push_back(pair);
+        std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+            return std::pair(a.candidates, a.kept) > std::pair(b.candidates, b.kept);
+        });
+        std::vector<SolidId> now(old_.brep.solid_count());
+        for (const Pair& pair : pairs)
+            if (!now[pair.was.index()].is_valid() && !contains(now, pair.is)) now[pair.was.index()] = pair.is;
+        return now;
     }
 
     /// Where it is also kept in place, that is it.
     void follow_kept(FaceId f) {
         const FaceChange& place = in_place_[f.index()];
-        if (place.verdict == BoundaryVerdict::kept && contains(candidates_of(f), place.new_face))
+        if (place.verdict == BoundaryVerdict::kept && contains(candidates_[f.index()], place.new_face))
             follow(f, {place.new_face}, FollowedBy::origin);
     }
 
     /// Points tell which pieces of a made face belong together. What another face was `kept` as is none of them, though
     /// solids that overlap have both on one made face.
     void follow_origin(FaceId f, const std::vector<char>& kept) {
-        std::vector<FaceId> candidates = candidates_of(f);
+        std::vector<FaceId> candidates = candidates_[f.index()];
         std::erase_if(candidates, [&](FaceId g) { return kept[g.index()]; });
         if (candidates.empty()) return;
         const bool is_one = candidates.size() == 1 && !has_siblings(f);
@@ -179,6 +253,40 @@ class FaceFollower {
             if (change.old_face.is_valid()) in_place_[change.old_face.index()] = change;
     }
 
+    /// Solids that moved as a whole, by the motion of some feature.
+    void follow_moved_solids() {
+        std::vector<char> is_left(solids_now_.size(), 0);
+        for (std::size_t f = 0; f < followed_.size() && !solids_now_.empty(); ++f)
+            for (const SolidId was : old_.brep.solids_beside(FaceId(f)))
+                if (was.is_valid() && is_open(FaceId(f))) is_left[was.index()] = solids_now_[was.index()].is_valid();
+        if (std::count(is_left.begin(), is_left.end(), 1) == 0) return;
+        for (const RigidMotion& motion : motions_of_features()) {
+            std::vector<FaceId> there(followed_.size());
+            for (const FaceChange& change : faces_in_place(old_.brep, new_.brep, motion))
+                for (const FaceId g : change.new_faces)  // of solids that overlap several may lie there
+                    if (change.old_face.is_valid() && became_solid_of(change.old_face, g))
+                        there[change.old_face.index()] = g;
+            std::vector<char> moved = is_left;
+            for (std::size_t f = 0; f < followed_.size(); ++f)
+                for (const SolidId was : old_.brep.solids_beside(FaceId(f)))
+                    if (was.is_valid() && !there[f].is_valid()) moved[was.index()] = 0;
+            for (std::size_t f = 0; f < followed_.size(); ++f)
+                for (const SolidId was : old_.brep.solids_beside(FaceId(f)))
+                    if (was.is_valid() && moved[was.index()] && is_open(FaceId(f)))
+                        follow(FaceId(f), {there[f]}, FollowedBy::place);
+        }
+    }
+
+    std::vector<RigidMotion> motions_of_features() const {
+        std::vector<RigidMotion> motions;
+        for (const Feature& feature : old_.tree.features)
+            if (const auto now = new_.tree.find(feature.name)) {
+                const RigidMotion motion = compose(new_.tree[*now].frame, feature.frame.inverse());
+                if (!motion.is_identity() && !contains(motions, motion)) motions.push_back(motion);
+            }
+        return motions;
+    }
+
     void follow_place(FaceId f, BoundaryVerdict verdict) {
         const FaceChange& place = in_place_[f.index()];
         if (!is_open(f) || place.verdict != verdict) return;
@@ -190,6 +298,7 @@ class FaceFollower {
     /// Is it known that the new face, though it lies where the old one was, is another one?
     bool is_stranger(FaceId f, FaceId g) const {
         if (claimed_[g.index()]) return true;
+        if (is_of_other_solid_[f.index()]) return false;
         const bool known = std::any_of(was_.made(f).begin(), was_.made(f).end(),
                                        [&](int m) { return !partners_[std::size_t(m)].empty(); });
         return known && !is_.made(g).empty();
@@ -348,7 +457,9 @@ class FaceFollower {
     std::vector<char> taken_;                                        // by new FaceId: is it one of an old face?
     std::vector<char> claimed_;                                      // and is that more than its place?
     mutable std::vector<std::optional<Box>> old_boxes_, new_boxes_;  // by FaceId, when first asked for
-    std::vector<std::vector<FaceId>> by_made_;                       // by index into the new made faces
+    std::vector<SolidId> solids_now_;              // by old SolidId: what it became; empty where there is only one
+    std::vector<char> is_of_other_solid_;          // by old FaceId: what its made faces became is
+    std::vector<std::vector<FaceId>> candidates_;  // by old FaceId: by what made the face
 };
 }  // namespace
 

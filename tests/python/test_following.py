@@ -431,6 +431,31 @@ class Blocks(BlockParts):
         self.document.recompute()
         self.assertEqual([names_of(load) for load in loads], [[("Both", self.face_at(both, "Z", height))] for height in (12, 13)])
 
+    def test_two_parts_of_one_feature_of_which_one_moves(self):
+        """What the feature tells of the one that moved is not true of the other one."""
+        block, parts = self.document.addObject("Part::Box", "Block"), []
+        block.Length, block.Width = 30, 20
+        for number, x in enumerate((8, 20)):
+            hole = self.document.addObject("Part::Cylinder", "Hole%d" % number)
+            hole.Placement.Base = FreeCAD.Vector(x, 10, 0)
+            parts.append(self.document.addObject("Part::Cut", "Part%d" % number))
+            parts[-1].Base, parts[-1].Tool = block, hole
+        both = self.document.addObject("Part::Compound", "Both")
+        both.Links = parts
+        self.document.recompute()
+        loads = [self.load(both, "Face%d" % n) for n in range(1, len(both.Shape.Faces) + 1)]
+        places = [face.CenterOfMass for face in both.Shape.Faces]
+        self.mesh_of(both)
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        for part, own, shift in ((parts[0], range(7), FreeCAD.Vector(3, 40, 5)), (parts[1], range(7, 14), FreeCAD.Vector(0, -50, 1))):
+            part.Placement.Base += shift
+            self.document.recompute()
+            for index in own:
+                places[index] += shift
+            for load, place in zip(loads, places):
+                (name,) = [name for _, name in names_of(load)]
+                self.assertLess((both.Shape.getElement(name).CenterOfMass - place).Length, NEAR, (part.Name, load.Name, name))
+
     def imported(self, shape, name="Imported"):
         solid = self.document.addObject("Part::Feature", name)
         solid.Shape = shape
