@@ -126,7 +126,7 @@ class Keeper {
             if (motion == dropped) continue;
             const auto take = [&](NodeId n) {
                 untouched_under_[n.index()] = motion;
-                if (motion > 0) motions_[n.index()] = motion;  // it shares no nodes with others
+                motions_[n.index()] = motion;  // also where it overlaps a feature that moved
             };
             for (const NodeId n : old.tets[t]) take(n);
             if (old.order == 2)

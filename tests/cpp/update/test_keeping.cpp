@@ -201,18 +201,19 @@ TEST_CASE("an edit in one solid leaves the mesh of another alone, however near t
     }
 }
 
+namespace {
+RawDocument overlapping(double hole, double height, double x = 5) {
+    PartDocument document;
+    document.box("Block", {0, 0, 0}, {40, 30, 10}).cylinder("Hole", {hole, 25, -1}, 2, 12).cut("A", "Block", "Hole");
+    document.box("B", {x, 2, 1}, {30, 16, height});
+    return document
+        .add("Part", "Part::Compound", together(document.shape("A"), document.shape("B")),
+             {{"Links", "A", ""}, {"Links", "B", ""}})
+        .finish();
+}
+}  // namespace
+
 TEST_CASE("where solids overlap each keeps the tets that it had") {
-    const auto overlapping = [](double hole, double height) {
-        PartDocument document;
-        document.box("Block", {0, 0, 0}, {40, 30, 10})
-            .cylinder("Hole", {hole, 25, -1}, 2, 12)
-            .cut("A", "Block", "Hole");
-        document.box("B", {5, 2, 1}, {30, 16, height});
-        return document
-            .add("Part", "Part::Compound", together(document.shape("A"), document.shape("B")),
-                 {{"Links", "A", ""}, {"Links", "B", ""}})
-            .finish();
-    };
     for (const double height : {12.0, 14.0}) {  // the second solid is left alone, or changed
         const auto first = meshed(overlapping(10, 12), options_of(2.5));
         const auto second = updated(*first.part_mesh, overlapping(12, height), options_of(2.5));
@@ -227,6 +228,16 @@ TEST_CASE("where solids overlap each keeps the tets that it had") {
                 REQUIRE(now.mesh.tet_solids[t] == old.tet_solids[std::size_t(now.tet_origin[t])]);
         }
         CHECK(volumes[1] == Approx(30 * 16 * height));
+    }
+}
+
+TEST_CASE("a solid that moves as a whole leaves one that it overlaps alone") {
+    for (const int order : {1, 2}) {
+        const auto first = meshed(overlapping(10, 12), options_of(3, order));
+        const auto second = updated(*first.part_mesh, overlapping(10, 12, 8), options_of(3, order));
+        CHECK(second.report.fallbacks.empty());
+        CHECK(second.report.kept_nodes_share == 1);
+        CHECK(second.report.kept_tets_share == 1);
     }
 }
 
