@@ -51,6 +51,29 @@ class BeamMeshes(unittest.TestCase):
             kept = [number for number, points in segments_of(mesh).items() if number in before and np.array_equal(before[number], points)]
             self.assertGreater(len(kept), 18)
 
+    def test_a_load_on_an_edge_on_which_another_one_lies(self):
+        """Where the edge grows the other one, which stays, is no piece of it."""
+        document = new_document()
+        frame = document.addObject("Part::Feature", "Frame")
+
+        def shape(length):
+            ends = ((0, 0, 0), (0, 0, 0.5)), ((0, 0, 0), (0, 0, length)), ((0, 0, length), (20, 0, length)), ((20, 0, length), (20, 0, 0))
+            return Part.makeCompound([Part.makeLine(*pair) for pair in ends])
+
+        frame.Shape = shape(30)
+        mesh = api.add_mesh(frame, 5, 1)
+        analysis = ObjectsFem.makeAnalysis(document)
+        analysis.addObject(mesh)
+        loads = [ObjectsFem.makeConstraintFixed(document, "On%d" % number) for number in range(1, 5)]
+        for number, load in enumerate(loads, 1):
+            load.References = [(frame, "Edge%d" % number)]
+            analysis.addObject(load)
+        document.recompute()
+        frame.Shape = shape(34)
+        document.recompute()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        self.assertEqual([load.References for load in loads], [[(frame, ("Edge%d" % number,))] for number in range(1, 5)])
+
     def test_the_edges_of_a_body_as_asked(self):
         document = new_document()
         mesh = api.add_mesh(plate_with_hole(document), 5, dimension="Edges")

@@ -44,7 +44,8 @@ class Numbering:
         if len(found) != 1:
             tolerance = _SAME_PLACE * self._new_shape.BoundBox.DiagonalLength
             staying = [i for i in found or range(len(news)) if _same_place(olds[index], news[i], tolerance)]
-            pieces = [i for i in found if kind == "Edge" and _lies_on(news[i], olds[index], tolerance)]
+            pieces = [i for i in found if kind == "Edge" and _lies_on(news[i], olds[index], tolerance)
+                      and not any(_same_place(old, news[i], tolerance) for old in olds)]
             if pieces and not staying:
                 return ["%s%d" % (kind, i + 1) for i in pieces]
             alike = [i for i, around in enumerate(old_faces) if around == old_faces[index]]
