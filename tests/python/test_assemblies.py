@@ -16,7 +16,7 @@ from analyses import add_material, add_solver, quantity, solve
 from freecad.featuremesh import api, assembled, mesh_object, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import in_english
-from parts import new_document, placement
+from parts import groups_in_freecad, new_document, placement
 
 STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.0", "Density": "7900 kg/m^3"}
 SIDE, HEIGHT, COUNT, FORCE = 10, 4, 10, 1000.0   # mm, mm, parts, N
@@ -136,6 +136,27 @@ class Assembly(InADocument):
         self.assertTrue(assembled.is_assembled(versions.part_of(mesh)))
         self.assertEqual(versions.part_of(mesh).Parts, boxes)
         self.check_edit(mesh, boxes)
+
+    def test_faces_and_solids_of_parts_in_one_place(self):
+        """A part that overlaps another one has faces of its own, also where both lie in one place: loads and materials of each are its own."""
+        container = self.document.addObject("App::Part", "Machine")
+        boxes = [container.newObject("Part::Box", name) for name in ("Block", "Same")]
+        self.document.recompute()
+        analysis = ObjectsFem.makeAnalysis(self.document, "Analysis")
+        loads = []
+        for box in boxes:
+            loads.append(ObjectsFem.makeConstraintFixed(self.document, "On" + box.Name))
+            loads[-1].References = [(box, "Face2")]
+            add_material(self.document, analysis, "Of" + box.Name, STEEL, [(box, "Solid1")])
+            analysis.addObject(loads[-1])
+        mesh = api.add_mesh(container, 3, order=1, join_analysis=False)
+        analysis.addObject(mesh)
+        self.document.recompute()
+        part = versions.part_of(mesh)
+        self.assertEqual([load.References for load in loads], [[(part, ("Face2",))], [(part, ("Face8",))]])
+        tets = [numbers for name, numbers in groups_in_freecad(mesh).items() if name.endswith("_Volumes")]
+        self.assertEqual(len(tets), 2)
+        self.assertFalse(set(tets[0]) & set(tets[1]))
 
     def test_parts_in_containers_are_within_reach(self):
         """FreeCAD warns at each recompute of links that lead into a container, unless they are for that."""

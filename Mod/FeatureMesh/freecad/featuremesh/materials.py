@@ -44,7 +44,8 @@ def _solids_of(material, resolver, entities):
         path, element = path_of(obj, sub)
         target = path[-1]
         is_state_of_part = resolver.is_alike(target) or target.isDerivedFrom("PartDesign::Feature")
-        found = resolver.names(obj, sub) if is_state_of_part else _solids_within(target, element, entities)
+        found = resolver.of_shown(target, element) or \
+            (resolver.names(obj, sub) if is_state_of_part else _solids_within(target, element, entities))
         if not found or not all(name.startswith("Solid") for name in found):
             return None
         names.update(found)

@@ -51,7 +51,24 @@ class Resolver:
             target = copy
         elif copy is not None and not (copy is self.part and self._alike[-1].isDerivedFrom("Part::Feature")):
             return self._of_copy(copy, _below(copy, obj, sub))
+        shown = self.of_shown(target, element)
+        if shown is not None:
+            return shown
         return self._of_feature(target, element) if self._has_record(target) else None
+
+    def of_shown(self, target, element):
+        """Of one of the parts of a container, whose shape is a piece of this one as it is, though another part may lie in its place; "" means all its
+        solids. None for anything else, and where parts are joined."""
+        index = next((i for i, shown in enumerate(getattr(self.part, "Parts", ())) if target in same_numbers(shown)), None)
+        if index is None or getattr(self.part, "Join", True) or (element and not _ELEMENT.match(element)):
+            return None
+        kind, number = _ELEMENT.match(element).groups() if element else ("Solid", 0)
+        pieces = self.part.Shape.SubShapes
+        own = getattr(pieces[index], _MEMBERS[kind]) if index < len(pieces) else []
+        if len(own) != target.Shape.countElement(kind):
+            return None   # it is another one by now
+        meant = own[int(number) - 1:int(number)] if element else own
+        return ["%s%d" % (kind, i + 1) for i, member in enumerate(getattr(self.part.Shape, _MEMBERS[kind])) if any(member.isSame(one) for one in meant)]
 
     def of_object(self, member):
         """What the References of an FEM object mean: (names, the (object, sub-element) pairs that are not on the part)."""
