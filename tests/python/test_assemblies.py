@@ -137,6 +137,18 @@ class Assembly(InADocument):
         self.assertEqual(versions.part_of(mesh).Parts, boxes)
         self.check_edit(mesh, boxes)
 
+    def test_a_part_in_a_group_in_a_container_counts_once(self):
+        """Since 1.0 the container has what is in the group itself, too."""
+        container = self.document.addObject("App::Part", "Machine")
+        group = self.document.addObject("App::DocumentObjectGroup", "Screws")
+        boxes = tower(self.document)
+        group.Group = boxes[1:]
+        container.Group = [boxes[0], group, *boxes[1:]]
+        self.document.recompute()
+        part = assembled.of(container)
+        self.assertEqual(part.Parts, boxes)
+        self.assertEqual(len(part.Shape.Solids), COUNT)
+
     def test_faces_and_solids_of_parts_in_one_place(self):
         """A part that overlaps another one has faces of its own, also where both lie in one place: loads and materials of each are its own."""
         container = self.document.addObject("App::Part", "Machine")

@@ -154,7 +154,8 @@ def parts_in(container):
     """The objects with a solid in a container and in the containers in it that none of the others is made of, in order; a link itself."""
     if not is_container(container):
         return [container]
-    return reading.final_solids_of([member for member in _members_of(container) if not is_assembled(member)])
+    members = dict.fromkeys(_members_of(container))   # an App::Part may have itself what is in a group in it
+    return reading.final_solids_of([member for member in members if not is_assembled(member)])
 
 
 def of(container):
