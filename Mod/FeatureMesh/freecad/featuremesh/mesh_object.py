@@ -19,6 +19,7 @@ from .messages import said
 from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, NOT_MESHED, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE,
                               choose_form, differ_from_mesh, element_count, failed, failure_of, is_of_its_part, is_saved_for_freecad, remarks_on_form, settings_of,
                               show_report, status_in_words)
+from .noted_parts import NotedParts
 from .numbering import Numbering
 from .proxies import Stateless
 from .reading import describe, elements_of_today, has_shape, read_document, refuse_gone, shape_of_record, with_elements
@@ -178,7 +179,7 @@ class FeatureMesh(Stateless):
         handed_over = time.perf_counter()
         self._store(mesh, job)   # first, so that a full disk leaves the old mesh with its old state
         give(mesh, fem_mesh, hand_over.skin(mesh, job.part_mesh.arrays()))
-        self._later, self._shape = {}, job.shape
+        self._shape = job.shape
         self.note_references(mesh, self._referring(mesh), job.raw, anew=True)
         job.seconds.update(hand_over=handed_over - start, state=time.perf_counter() - handed_over)
         job.seconds["total"] = sum(job.seconds.values())
@@ -353,12 +354,11 @@ class FeatureMesh(Stateless):
                 return   # there is nothing to refer to
             raw = read_document(part)
         found = references.record_of([obj for obj in objects if hasattr(obj, "References")], Resolver(part, raw or self._raw))
-        for obj in objects:
-            self._later.pop(obj.Name, None)
-            if obj.Name in found and not is_as_meshed:
-                self._later[obj.Name] = raw
+        if not is_as_meshed:
+            found = {name: {**known, "of": self._noted.name_of(raw)} for name, known in found.items()}
         record = {} if anew else {name: known for name, known in self._record(mesh).items() if name not in [obj.Name for obj in objects]}
         mesh.ReferredTo = json.dumps({**record, **found}, sort_keys=True)
+        self._noted.store(mesh, {**record, **found})
 
     def groups_as_saved(self, mesh, arrays, shown_by):
         """The groups of the saved mesh with those arrays, for itself or another object that it is `shown_by`; those of features only where the engine is."""
@@ -429,6 +429,7 @@ class FeatureMesh(Stateless):
             return
         part = versions.part_of(mesh)
         _take_todays_names(saved, part)
+        self._noted.load(mesh)
         self._elements = elements_of_today(saved.raw, mesh.Document)
         if is_of_its_part(mesh) and part is not None:
             self._shape = part.Shape
@@ -463,10 +464,10 @@ class FeatureMesh(Stateless):
         part, record, lines = versions.part_of(mesh), self._record(mesh), []
         resolver, numberings = Resolver(part, raw), {}
 
-        def numbering_from(then):   # None: from the last mesh
+        def numbering_from(then):
             if id(then) not in numberings:
-                numberings[id(then)] = Numbering(engine.load().followed_faces(then, raw) if then else faces(),
-                                                 lambda: shape_of_record(then or self._raw), part.Shape)
+                numberings[id(then)] = Numbering(faces() if then is self._raw else engine.load().followed_faces(then, raw),
+                                                 lambda: shape_of_record(then), part.Shape)
             return numberings[id(then)]
         self._following = True
         try:
@@ -475,14 +476,14 @@ class FeatureMesh(Stateless):
                 if not known or references.was_changed_by_hand(obj, known, history.deleted_of(mesh.Document)):
                     lines += self._lost.bring_back(obj, resolver, numbering_from)
                     continue
-                then = self._later.get(obj.Name)
-                if then is None and self._raw is None:
+                then = self._noted.part(known["of"]) if "of" in known else self._raw
+                if then is None:
                     lines.append(said("{object:text} could not be followed from the last mesh, whose state is gone; check what it refers to",
                                       object=obj.Label))
                     continue
                 said_of_it, lost = references.follow(obj, known, resolver, numbering_from(then))
                 lines += said_of_it + self._lost.bring_back(obj, resolver, numbering_from)
-                self._lost.note(obj, then or self._raw, lost)
+                self._lost.note(obj, then, lost)
         finally:
             self._following = False
         return lines
@@ -520,7 +521,7 @@ class FeatureMesh(Stateless):
         self._raw = None         # what it was made from
         self._shape = None       # the part's shape then
         self._elements = None    # sketch elements of a saved state, with today's ids
-        self._later = {}         # by name of an object: the part as it was when that was given other references, where that was after the last mesh
+        self._noted = NotedParts()   # by which is followed what was chosen after the last mesh
         self._lost = LostReferences()
         self._elsewhere = {}     # by name of an object: what was said of its references that are not on the part
         self._following = False  # references are being moved just now

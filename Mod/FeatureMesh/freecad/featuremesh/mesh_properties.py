@@ -67,11 +67,12 @@ PROPERTIES = [
     ("App::PropertyString", "Failure", "Result", "", True, "Why the last update failed, as JSON"),
     ("App::PropertyFileIncluded", "SavedState", "Result", None, True, "What the next update needs"),
     ("App::PropertyString", "StateName", "Result", "", True, "Which state SavedState is, by which it is found after undo"),
+    ("App::PropertyString", "NotedParts", "Result", "", True, "The part as it was when loads were given other references after the last mesh"),
     ("App::PropertyString", "ReferredTo", "Result", "", True, "What loads, supports, materials and refinements referred to, as JSON"),
 ]
-_HIDDEN = ("Report", "Failure", "SavedState", "StateName", "ReferredTo")
+_HIDDEN = ("Report", "Failure", "SavedState", "StateName", "NotedParts", "ReferredTo")
 # What alters no mesh: FreeCAD does not tell a mesh that follows by hand what is new, so that it would call itself out of date.
-_WITHOUT_TOUCH = ("Threads", "Automatic", "SavedForFreeCAD", "StateName", "ReferredTo")
+_WITHOUT_TOUCH = ("Threads", "Automatic", "SavedForFreeCAD", "StateName", "NotedParts", "ReferredTo")
 OPTION_OF = {"Size": "size", "MinSize": "min_size", "ElementsPerCircle": "elements_per_circle",
               "ElementsAcrossGap": "elements_across_gap", "Growth": "growth", "QualityTarget": "target_dihedral_deg",
               "IgnoreBelow": "ignore_below", "Threads": "threads"}

@@ -200,6 +200,10 @@
       <translation>Das vernetzte Bauteil</translation>
     </message>
     <message>
+      <source>The part as it was when loads were given other references after the last mesh</source>
+      <translation>Das Bauteil, wie es war, als Lasten nach dem letzten Netz andere Verweise bekamen</translation>
+    </message>
+    <message>
       <source>The part that is varied</source>
       <translation>Das Bauteil, das verändert wird</translation>
     </message>

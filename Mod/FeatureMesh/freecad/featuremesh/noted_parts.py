@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The part as it was when an object was given references after the last mesh: these mean its faces, not those of the part that was meshed. The mesh object
+keeps it beside its record of references for as long as that names it."""
+
+import base64
+import json
+import zlib
+
+import numpy as np
+
+from . import state
+from .reading import elements_of_today, with_elements
+
+
+class NotedParts:
+    """Of one mesh object."""
+
+    def __init__(self):
+        self._parts = {}    # by what the record calls it: the part as reading.read_document gives it
+        self._packed = {}   # the same as text
+
+    def name_of(self, raw):
+        """What the record is to call the part as it was read."""
+        bits = {"records": json.dumps(raw["records"], sort_keys=True).encode(), "shapes": raw["shapes"]}
+        name = state.digest({key: np.frombuffer(data, dtype=np.uint8) for key, data in bits.items()}).hex()
+        if name not in self._parts:
+            self._parts[name], self._packed[name] = raw, _packed(raw)
+        return name
+
+    def part(self, name):
+        """The part that the record calls so; None where it is gone."""
+        return self._parts.get(name)
+
+    def store(self, mesh, record):
+        """To be called with each new record."""
+        names = {known["of"] for known in record.values() if "of" in known}
+        text = json.dumps({name: self._packed[name] for name in sorted(names) if name in self._packed}) if names else ""
+        if mesh.NotedParts != text:
+            mesh.NotedParts = text
+
+    def load(self, mesh):
+        """To be called when the document was opened, with the sketch elements that it has now."""
+        self._packed = json.loads(mesh.NotedParts or "{}")
+        for name, text in self._packed.items():
+            raw = _unpacked(text)
+            self._parts[name] = with_elements(raw, elements_of_today(raw, mesh.Document))
+
+
+def _packed(raw):
+    words = json.dumps({**raw, "shapes": base64.b64encode(raw["shapes"]).decode()})
+    return base64.b64encode(zlib.compress(words.encode())).decode()
+
+
+def _unpacked(text):
+    raw = json.loads(zlib.decompress(base64.b64decode(text)))
+    return {**raw, "shapes": base64.b64decode(raw["shapes"])}
