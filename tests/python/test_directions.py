@@ -207,6 +207,28 @@ class ComesBack(ForcesAlong):
         self.assertEqual(names_of(self.pressed), [("Body", self.face_at(self.body, "Z", 0))])
         self.assertEqual(self.direction_of(self.force)[0], "x")
 
+    def test_what_was_chosen_meanwhile_is_cancelled(self):
+        self.document.UndoMode = 1
+        self.put_in_between()
+        below = [("Body", self.face_at(self.body, "Z", 0))]
+        for is_undone in (False, True):
+            self.document.openTransaction("Choose")
+            self.pressed.References = [(self.body, below[0][1])]
+            self.force.Direction = (self.body, [self.edge_along(self.body, "x")])
+            if is_undone:
+                self.document.commitTransaction()
+                self.document.undo()
+            else:
+                self.document.abortTransaction()
+        self.document.recompute()
+        self.document.redo()
+        self.assertEqual((names_of(self.pressed), self.direction_of(self.force)[0]), (below, "x"))
+        self.document.recompute()
+        self.document.undo()
+        self.move_down()
+        self.assertEqual((references.unmended(self.analysis), names_of(self.pressed)), ([], [("Body", self.face_at(self.body, "X", 40))]))
+        self.assertEqual(self.direction_of(self.force)[:2], self.before)
+
     def test_it_comes_back_once_more_after_undo(self):
         """The tip moved down, undone, and moved down again."""
         self.document.UndoMode = 1

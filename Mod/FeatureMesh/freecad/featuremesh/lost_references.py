@@ -16,7 +16,7 @@ class LostReferences:
     """Of one mesh object."""
 
     def __init__(self):
-        self._entries = {}   # name of an object -> [(the part as it was read when it had them, property, names of sub-elements)]
+        self._entries = {}   # name of an object -> [(the part as it was read when it had them, property, names of sub-elements, was it marked for that?)]
         self._of_states = {}   # the same of states of the mesh that undo may bring back, by their checksums
 
     def keep(self, checksum):
@@ -33,22 +33,32 @@ class LostReferences:
 
     def note(self, obj, raw, lost):
         """`lost` is what references.follow gives."""
-        self._entries.setdefault(obj.Name, []).extend((raw, prop, names) for prop, names in lost.items() if names)
+        entries = self._entries.setdefault(obj.Name, [])
+        for prop, names in lost.items():
+            if names and references.is_marked(obj, prop):
+                entries[:] = [entry for entry in entries if entry[1] != prop or not entry[3]]   # somebody chose anew since
+            if names:
+                entries.append((raw, prop, names, references.is_marked(obj, prop)))
+
+    def chosen_anew(self, obj):
+        """To be called when somebody has chosen anew for an object. What it was marked for does not count without the mark, which undo and Cancel bring back."""
+        self._entries[obj.Name] = [entry for entry in self._entries.get(obj.Name, []) if entry[3]]
 
     def forget(self, name):
-        """To be called when somebody has chosen anew for the object of that name, or has deleted it."""
+        """To be called when the object of that name was deleted."""
         self._entries.pop(name, None)
 
     def bring_back(self, obj, resolver, numbering_from):
         """Gives an object what the part has again. Returns a line for each thing to know. `numbering_from` gives the Numbering from a part to today's."""
-        lines, gone = [], []
-        for raw, prop, names in self._entries.pop(obj.Name, ()):
+        lines, gone, entries = [], [], self._entries.pop(obj.Name, [])
+        inert = [entry for entry in entries if entry[3] and not references.is_marked(obj, entry[1])]
+        for raw, prop, names, _ in (entry for entry in entries if entry not in inert):
             numbering = numbering_from(raw)
             now = [new for name in names for new in numbering.now(name)]
             if now and references.take_back(obj, resolver, prop, now):
                 lines.append(said(_THERE_AGAIN, object=obj.Label, now=now))
             left = [name for name in names if not numbering.now(name)] if references.may_change(obj, resolver) else names
             gone += [(raw, prop, left)] if left else []
-        if gone:
-            self._entries[obj.Name] = gone
+        if gone or inert:
+            self._entries[obj.Name] = inert + [(*entry, references.is_marked(obj, entry[1])) for entry in gone]
         return lines

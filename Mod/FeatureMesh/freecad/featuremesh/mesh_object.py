@@ -305,7 +305,7 @@ class FeatureMesh(Stateless):
         if known and (not in_panel and references.are_set_again(obj, known, deleted)
                       or references.lost_by_deletion(known, deleted) and not references.was_changed_by_hand(obj, known, deleted)):
             return
-        self._lost.forget(obj.Name)
+        self._lost.chosen_anew(obj)
         references.mend(obj)
         self.settle(mesh, [obj])
         self.note_references(mesh, [obj])

@@ -204,6 +204,11 @@ def unmended(analysis):
                 for member in analysis.Group if getattr(member, LOST_ALONG, None)]
 
 
+def is_marked(obj, name):
+    """Has the object nothing left of what that property referred to?"""
+    return bool(getattr(obj, MARK if name == "References" else LOST_ALONG, None))
+
+
 def mend(obj):
     """Takes the mark away from an object that refers to something again."""
     if getattr(obj, MARK, None) and getattr(obj, "References", None):
