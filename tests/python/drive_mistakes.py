@@ -319,6 +319,29 @@ def check_overtaken(document, mesh):
     document.recompute()
 
 
+def check_overtaken_while_new(document, body):
+    """A recompute makes the mesh of a new object before its panel's is done: as after any *Apply*, Cancel leaves the mesh there, and the edit."""
+    select((body,))
+    timer = answer_with("Add another mesh", [])
+    run_command("MeshPart")
+    assert not timer.isActive()
+    settings, part = panel("MeshPanel"), document.Plate
+    settings.size.setProperty("rawValue", 7.0)
+    with mesher_waits() as waits:
+        click_in_panel("Apply")
+        waits.clear()
+        part.Length = 13
+        document.recompute()
+    wait_for(lambda: settings.running is None)
+    mesh = settings.mesh
+    assert mesh.ViewObject.Visibility and not body.ViewObject.Visibility
+    close_panel()
+    assert mesh in document.Objects and (mesh.Status, mesh.Size.Value, part.Length.Value) == ("up to date", 7, 13), part.Length
+    assert not document.HasPendingTransaction
+    Gui.runCommand("Std_Undo")
+    assert "FeatureMesh001" not in [obj.Name for obj in document.Objects]
+
+
 def check_frozen(document, part, mesh):
     """A script sets the length of a part that FreeCAD's command froze: the shape changes, and FreeCAD asks for no recompute."""
     select((part,))
@@ -367,6 +390,7 @@ def drive():
     check_adopted_beside_ours(document, analysis, mesh)
     check_expression(document, mesh)
     check_overtaken(document, mesh)
+    check_overtaken_while_new(document, body)
     other = document.addObject("Part::Box", "Other")
     other.Placement.Base.z = 50
     document.recompute()

@@ -395,7 +395,9 @@ class MeshPanel:
                 self._begin(self._is_full)
                 if self.running is not None:
                     return
-            else:
+            else:   # a recompute has made it
+                self._keep()
+                show_mesh(self.mesh)
                 self._show_result()
         except Exception as problem:
             self._failed(problem)
@@ -406,20 +408,23 @@ class MeshPanel:
 
     def _finish(self):
         """The new mesh into the document, as one undo step; that of a new object holds the object, too."""
-        document = self.mesh.Document
         self._is_taking_back = True   # what is typed meanwhile stays
         settings = self._take_back_settings()
         with self._undo_step(translate("FeatureMesh", "Mesh of %s") % self.mesh.Label):
             self._set(settings)
             self._is_taking_back = False
             self.mesh.Proxy.finish(self.mesh, self.job)
-        if self.is_new:
-            document.commitTransaction()
-        self.is_new = False
+        self._keep()
         recording.tell(api.update_mesh, self.mesh, *[True] * self._is_full)
         self.mesh.purgeTouched()
         show_mesh(self.mesh)
         self._show_result()
+
+    def _keep(self):
+        """A new object has its mesh, so Cancel leaves it there."""
+        if self.is_new:
+            self.mesh.Document.commitTransaction()
+        self.is_new = False
 
     def _take_back_settings(self):
         """The settings that were not meshed with yet, if setting them was the last step of undo: they go into that of their mesh."""
