@@ -143,6 +143,15 @@ class SolveGuard(unittest.TestCase):
         self.assertGreater(len(held), 2)
         self.assertTrue(all(abs(place.x - 20) < 1e-6 and abs(place.z - 10) < 0.005 for place in held), held)
 
+    def test_a_mesh_that_a_script_gives_another_part(self):
+        other = self.document.addObject("Part::Box", "Other")
+        self.document.recompute()
+        for part, length in ((other, 10), (self.part, 40)):
+            setattr(self.mesh, versions.part_property(self.mesh), part)
+            self.assertIn("is out of date", solve_guard.reason(self.analysis))
+            self.document.recompute()
+            self.assertEqual((self.mesh.Status, self.mesh.FemMesh.BoundBox.XMax), (mesh_properties.UP_TO_DATE, length))
+
     def test_a_cell_that_drives_the_part(self):
         sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
         sheet.set("A1", "=40 mm")

@@ -16,9 +16,9 @@ from .given_mesh import give
 from .job import MeshJob
 from .lost_references import LostReferences
 from .messages import said
-from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, NOT_MESHED, OPTION_OF, OUT_OF_DATE, SETTINGS, SETTINGS_CHANGED, UP_TO_DATE,
+from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, NOT_MESHED, OPTION_OF, OUT_OF_DATE, SETTINGS_CHANGED, UP_TO_DATE,
                               choose_form, differ_from_mesh, element_count, failed, failure_of, is_of_its_part, is_saved_for_freecad, remarks_on_form, settings_of,
-                              show_report, status_in_words)
+                              show_report, status_after, status_in_words)
 from .noted_parts import NotedParts
 from .numbering import Numbering
 from .proxies import Stateless
@@ -67,12 +67,12 @@ class FeatureMesh(Stateless):
 
     def onChanged(self, mesh, name):
         """Called by FreeCAD when a property was set: keeps Status true to the settings."""
-        if name in SETTINGS and getattr(mesh, "Status", "") in (UP_TO_DATE, SETTINGS_CHANGED) and not FreeCAD.isRestoring() \
-                and not mesh.Document.Transacting:
-            mesh.Status = SETTINGS_CHANGED if differ_from_mesh(mesh, settings_of(mesh)) else UP_TO_DATE
-        if name == "Automatic" and mesh.Automatic and getattr(mesh, "Status", UP_TO_DATE) != UP_TO_DATE and not FreeCAD.isRestoring() and not mesh.Document.Transacting:
+        is_set = not FreeCAD.isRestoring() and not mesh.Document.Transacting
+        if is_set and "Status" in mesh.PropertiesList and status_after(mesh, name) != mesh.Status:
+            mesh.Status = status_after(mesh, name)
+        if is_set and name == "Automatic" and mesh.Automatic and getattr(mesh, "Status", UP_TO_DATE) != UP_TO_DATE:
             mesh.touch()
-        if name in ("Status", "SavedState") and not FreeCAD.isRestoring() and not mesh.Document.Transacting and "SavedState" in mesh.PropertiesList:
+        if is_set and name in ("Status", "SavedState") and "SavedState" in mesh.PropertiesList:
             results.mark(mesh)
         if name in ("SavedForFreeCAD", "TetCount") and "TetCount" in mesh.PropertiesList:
             for shown in [mesh, *analyses.shares_of(mesh)]:

@@ -5,7 +5,7 @@ import json
 
 import FreeCAD
 
-from . import messages, user_words
+from . import messages, user_words, versions
 from .messages import said
 from .proxies import add_missing
 
@@ -122,6 +122,15 @@ def settings_of(mesh):
 def differ_from_mesh(mesh, settings):
     """Are these other settings than the mesh was made with? Meshes from before that was written down count as made with them."""
     return settings != {**_WHAT_OLD_MESHES_HAD, **json.loads(mesh.Report or "{}").get("settings", settings)}
+
+
+def status_after(mesh, name):
+    """The Status of a mesh whose property of that name somebody has set."""
+    if name in SETTINGS and is_of_its_part(mesh):
+        return SETTINGS_CHANGED if differ_from_mesh(mesh, settings_of(mesh)) else UP_TO_DATE
+    if name == versions.part_property(mesh) and versions.part_of(mesh) is not None and mesh.Status != NOT_MESHED:
+        return OUT_OF_DATE
+    return mesh.Status
 
 
 def status_in_words(obj, status=None):
