@@ -289,6 +289,12 @@ class SolveGuard(unittest.TestCase):
         force.References = [(self.part, "Face2")]
         self.assertEqual(self.problem(), "")
 
+    def test_a_load_on_a_face_that_is_not_there(self):
+        """As of an analysis that had no mesh while the part was edited; FreeCAD's panel fails there by itself, with "Index out of bound"."""
+        self.document.getObject("Force").References = [(self.part, "Face9")]
+        with self.assertRaisesRegex(UserError, "Force refers to Face9, which is gone"):
+            api.solve_analysis(self.analysis)
+
     def refuses(self, pattern):
         """CalculiX's panel, the command that runs a solver, the newer solvers' tools, our own functions; an old result stays."""
         result = self.document.getObject("CCX_Results") or self.add_result()

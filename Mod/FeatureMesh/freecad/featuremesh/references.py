@@ -14,7 +14,8 @@ import FreeCAD
 from . import assembled, versions
 from .messages import said
 from .proxies import HIDDEN
-from .resolving import CLICKED, LOST, describe, pairs_of
+from .reading import has_shape
+from .resolving import CLICKED, LOST, describe, is_element_of, pairs_of, path_of
 
 translate = FreeCAD.Qt.translate
 
@@ -28,6 +29,7 @@ MARK = "LostReferences"
 # Properties that say along or about what a load acts: the direction of a force, the axis of a centrifugal load. FreeCAD takes the normal of a face where
 # a direction is gone.
 ALONG = ("Direction", "RotationAxis")
+_OF_A_SHAPE = "Face", "Edge", "Vertex"   # FreeCAD 1.0 loses solids that are there
 _OPPOSITE = 0.999   # the cosine of directions that are one another's opposite, without its sign
 # A property of objects whose direction is gone: the names of what it was.
 LOST_ALONG = "LostDirection"
@@ -195,13 +197,24 @@ def elsewhere(objects, resolver):
 
 
 def unmended(analysis):
-    """(object, sentence) for every member of the analysis that has lost all it referred to: the analysis must not be solved until each has
-    been given new references."""
-    return [(member, translate("FeatureMesh", "%s refers to %s, which is gone; choose another face, edge or solid for it") % (member.Label, ", ".join(getattr(member, MARK))))
-            for member in analysis.Group if getattr(member, MARK, None) and not getattr(member, "References", None)] + [
+    """(object, sentence) for every member of the analysis that has lost all it referred to, or refers to what is not there: the analysis must not be
+    solved until each has been given new references."""
+    gone = {member: _gone(member) for member in analysis.Group}
+    return [(member, translate("FeatureMesh", "%s refers to %s, which is gone; choose another face, edge or solid for it") % (member.Label, ", ".join(lost)))
+            for member, lost in gone.items() if lost] + [
                 (member, translate("FeatureMesh", "%s acts along %s, which is gone; open it and choose its direction again") % (
                     member.Label, ", ".join(getattr(member, LOST_ALONG))))
                 for member in analysis.Group if getattr(member, LOST_ALONG, None)]
+
+
+def _gone(obj):
+    """What an object has lost where nothing is left; else what it refers to and is not there, as of a load that came from an analysis without a mesh."""
+    pairs = pairs_of(obj) if hasattr(obj, "References") else []
+    if not pairs:
+        return getattr(obj, MARK, [])
+    ends = [(path[-1], element) for path, element in (path_of(*pair) for pair in pairs)]
+    return [element.lstrip(LOST) for end, element in ends if element.lstrip(LOST).rstrip("0123456789") in _OF_A_SHAPE and has_shape(end)
+            and not is_element_of(end.Shape, element)]
 
 
 def is_marked(obj, name):
