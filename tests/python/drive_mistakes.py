@@ -10,6 +10,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FemGui  # noqa: E402
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
+import Mesh  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from window import answer_with, click_in_panel, figures, panel, picture, spin, wait_for  # noqa: E402
@@ -54,6 +55,15 @@ def check_which_part(document, first, second):
     run_command("MeshPart")
     assert panel("MeshPanel").mesh.Document is document
     close_panel()
+
+
+def check_triangles(document):
+    """Of a selected STL mesh it is said what to make of it; the only part is not meshed in its place."""
+    triangles = document.addObject("Mesh::Feature", "Stl")
+    triangles.Mesh = Mesh.createBox(5, 5, 5)
+    select((triangles,))
+    assert said_by("MeshPart").startswith("Stl consists of triangles; make a solid of it"), window.messages[-1]
+    document.removeObject("Stl")
 
 
 def check_which_mesh(document, meshes, second):
@@ -386,6 +396,7 @@ def drive():
     add_material(document, analysis, "Steel", STEEL)
     mesh = api.add_mesh(body, 6.0, order=1)
     document.recompute()
+    check_triangles(document)
     check_what_has_no_part(document, body, mesh)
     check_adopted_beside_ours(document, analysis, mesh)
     check_expression(document, mesh)

@@ -156,6 +156,23 @@ def check_local_size(document, body, mesh):
         assert (len(mesh.MeshRegionList), mesh.TetCount, mesh.Status) == (regions, tets, "up to date"), (command, mesh.TetCount, finer, count)
 
 
+def check_nothing_selected(body, mesh):
+    """The faces are chosen in the panel: the part, which may be hidden, is seen while it is open."""
+    body.ViewObject.Visibility = False
+    for command, name in (("FeatureMesh_AddLocalSize", "MeshRegionList"), ("FeatureMesh_AddGroup", "MeshGroupList")):
+        Gui.Selection.clearSelection()
+        click_button_of(command)
+        wait_for(Gui.Control.activeDialog)
+        added, = getattr(mesh, name)
+        assert body.ViewObject.Visibility and not added.References, added.References
+        click_in_panel("Cancel")
+        wait_for(lambda: not Gui.Control.activeDialog())
+        for left in getattr(mesh, name):   # by the panels of FreeCAD 0.20
+            mesh.Document.removeObject(left.Name)
+        mesh.Document.recompute()
+    body.ViewObject.Visibility = True
+
+
 def check_distance(document, body, mesh):
     """With a face selected it is measured from that; others are taken while the panel is open."""
     hole = next(i for i, face in enumerate(body.Shape.Faces, 1) if face.Surface.TypeId == "Part::GeomCylinder")
@@ -309,6 +326,7 @@ def drive():
     spin(1)
     settle_view()
     check_local_size(document, body, mesh)
+    check_nothing_selected(body, mesh)
     check_kinds(mesh)
     check_cancel(document, mesh)
     check_sphere(document, mesh)

@@ -118,6 +118,8 @@ def no_shape(part):
     """That the part has no shape, with the first feature that has none though one before it had; since 1.0 that is no error."""
     if part.isDerivedFrom("App::LinkGroup"):
         return said("{part:text} is a group of links, which has no shape; make a compound of it (Part: Compound) and mesh that", part=describe(part))
+    if part.isDerivedFrom("Mesh::Feature"):
+        return said("{part:text} consists of triangles; make a solid of it (Part: Create shape from mesh, Convert to solid) and mesh that", part=describe(part))
     before = False
     for obj in dependencies(part):
         if obj is part or not obj.isDerivedFrom("PartDesign::Feature"):
@@ -552,9 +554,8 @@ def _shape_of(obj):
 
 def _checked_part(obj):
     if obj.isDerivedFrom("App::Part") or obj.isDerivedFrom("App::DocumentObjectGroup"):
-        raise UserError(said("{object:text} is a group, name one of its objects: {members:text}",
-                             object=describe(obj), members=", ".join(member.Name for member in obj.Group)))
-    if obj.isDerivedFrom("App::LinkGroup"):
+        raise UserError(said("{object:text} is a group, name one of its objects: {members:text}", object=describe(obj), members=", ".join(member.Name for member in obj.Group)))
+    if obj.isDerivedFrom("App::LinkGroup") or obj.isDerivedFrom("Mesh::Feature"):
         raise UserError(no_shape(obj))
     if not (_is_drawn_alone(obj) or _has(_shape_of(obj), "Face" if is_drawn(obj) else "Edge")):
         raise UserError(said("{object:text} has no solid{error:text}", object=describe(obj), error=": " + error_of(obj) if error_of(obj) else ""))

@@ -78,11 +78,9 @@ def is_mesh_of(mesh, part):
 
 def chosen(document, mesh):
     """What is selected of solids, faces, edges and vertices, as (object, name) pairs that lead through links and containers; None when it is the mesh
-    itself, so that they are to be chosen in the panel that opens."""
+    itself or nothing, so that they are to be chosen in the panel that opens: the part may be hidden."""
     entries = [entry for entry in _as_clicked(document) if entry.Object is not mesh]
-    if not entries and mesh in Gui.Selection.getSelection(document.Name):
-        return None
-    return [(entry.Object, name) for entry in entries for name in entry.SubElementNames or ("",)]
+    return None if not entries else [(entry.Object, name) for entry in entries for name in entry.SubElementNames or ("",)]
 
 
 def add_and_open(document, title, add):
@@ -133,7 +131,7 @@ def _as_clicked(document):
 def _selected(document):
     """What is selected and has to do with a part, unlike a load, a group of a mesh, a result, a study or a spreadsheet."""
     return [obj for obj in Gui.Selection.getSelection(document.Name)
-            if hasattr(obj, "Shape") or is_feature_mesh(obj) or assembled.is_to_be_shown(obj) and not analyses.is_analysis(obj)]
+            if hasattr(obj, "Shape") or obj.isDerivedFrom("Mesh::Feature") or is_feature_mesh(obj) or assembled.is_to_be_shown(obj) and not analyses.is_analysis(obj)]
 
 
 def _part_of(obj):

@@ -1809,6 +1809,10 @@
       <translation>{parameter:text} braucht zwei bis {most:count} Stufen, nicht {levels:count}</translation>
     </message>
     <message>
+      <source>{part:text} consists of triangles; make a solid of it (Part: Create shape from mesh, Convert to solid) and mesh that</source>
+      <translation>{part:text} besteht aus Dreiecken; machen Sie daraus einen Festkörper (Part: Form aus Netz erstellen, In Festkörper umwandeln) und vernetzen Sie den</translation>
+    </message>
+    <message>
       <source>{part:text} has a mesh already: {mesh:text}; delete one of the two</source>
       <translation>{part:text} hat schon ein Netz: {mesh:text}; eines von beiden löschen</translation>
     </message>
