@@ -7,7 +7,7 @@ from unittest import mock
 
 import ObjectsFem
 from femtools import ccxtools
-from freecad.featuremesh import api, engine, mesh_object, versions
+from freecad.featuremesh import api, engine, mesh_object, solve_guard, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from freecad.featuremesh.study import study_object
@@ -177,6 +177,25 @@ class Solving(unittest.TestCase):
         self.assertEqual(groups["Steel_Volumes"] | groups["Aluminium_Volumes"], set(mesh.FemMesh.Volumes))
         _, text = self.solve(analysis)
         self.assertEqual(text.upper().count("*SOLID SECTION"), 2)
+
+    def test_each_solid_needs_one_material(self):
+        """Solids become one, or there is another one, after materials were chosen for them."""
+        left, right, fragments, names = self.two_boxes()
+        analysis = analysis_of(self.document, fragments, [("Steel", STEEL, [(fragments, names[0])]), ("Aluminium", ALUMINIUM, [(fragments, names[1])])])
+        api.add_mesh(fragments, 6.0, order=1)
+        self.document.recompute()
+        aluminium = self.document.getObject("Aluminium")
+        for references, message in (([(fragments, names[1])], "^$"), ([(fragments, names[0])], names[0] + " has several materials: Steel, Aluminium; "), ([], "^$")):
+            aluminium.References = references
+            self.assertRegex(solve_guard.reason(analysis), message)
+        aluminium.References = [(fragments, names[1])]
+        third = self.document.addObject("Part::Box", "Third")
+        third.Placement.Base.x = -10
+        fragments.Objects = [left, right, third]
+        self.document.recompute()
+        self.assertRegex(solve_guard.reason(analysis), "^Solid. has no material; ")
+        self.document.removeObject("Aluminium")
+        self.assertEqual(solve_guard.reason(analysis), "")   # one material is that of all
 
     def test_materials_of_the_objects_that_the_part_is_made_of(self):
         """As users of boolean fragments refer to them; only solids that lie wholly in one of theirs count."""

@@ -248,7 +248,7 @@ def analysis_groups(mesh, resolver, entities):
     contact_faces and chosen_solids), and the elements of materials."""
     groups, faces, solids = [], {}, {}
     members = [member for analysis in analyses.directly_holding(mesh) for member in analysis.Group]
-    materials = [member for member in members if _is_material(member)]
+    materials = [member for member in members if is_material(member)]
     for member in members:
         if member in materials or not hasattr(member, "References"):
             continue
@@ -400,7 +400,8 @@ def _name_of(group):
     return group.Label if getattr(group, "UseLabel", False) else group.Name
 
 
-def _is_material(member):
+def is_material(member):
+    """Is it a material that may be one of several?"""
     return member.isDerivedFrom("App::MaterialObject") and hasattr(member, "References")
 
 

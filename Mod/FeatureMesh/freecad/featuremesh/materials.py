@@ -8,6 +8,7 @@ import FreeCAD
 import numpy as np
 
 from . import versions
+from .messages import said
 from .resolving import pairs_of, path_of
 
 _POINTS_PER_SOLID = 8
@@ -35,6 +36,20 @@ def material_groups(materials, resolver, entities):
         claimed.append(left)
     covered = np.sort(np.concatenate(claimed)) if claimed else everything[:0]
     return groups if np.array_equal(covered, everything) else []
+
+
+def doubt(materials, resolver, entities):
+    """Why it is not clear which of several materials a solid has, as a message; None where it is, or cannot be told. CalculiX would take the last one."""
+    solids = {material: _solids_of(material, resolver, entities) for material in materials if material.References}
+    if len(materials) < 2 or None in solids.values():
+        return None
+    for solid in entities.solids():
+        on_it = [material.Label for material, own in solids.items() if solid in own]
+        if len(on_it) > 1:
+            return said("{solid:entities} has several materials: {materials:text}; take it out of the references of all but one", solid=[solid], materials=", ".join(on_it))
+        if not on_it and len(solids) == len(materials):
+            return said("{solid:entities} has no material; choose one for it", solid=[solid])
+    return None
 
 
 def _solids_of(material, resolver, entities):

@@ -8,9 +8,9 @@ as ever.
 
 import FreeCAD
 
-from . import analyses, history, references, resolving, results, versions
+from . import analyses, history, materials, references, resolving, results, versions
 from .errors import UserError
-from .hand_over import EntityGroups
+from .hand_over import EntityGroups, is_material
 from .messages import said
 from .reading import describe
 from .user_words import in_words
@@ -30,7 +30,7 @@ def reason(analysis):
             analysis.Label, _ours_in(analysis.Document)[0].Label)
     for mesh in analyses.meshes_of(analysis) if analysis is not None else ():
         problem = mesh.Proxy.why_not_to_solve(mesh) or not_recomputed(mesh) or _clicked_elsewhere(analysis, mesh) \
-            or _without_elements(analysis, mesh) if analyses.is_ours(mesh) else ""
+            or _without_elements(analysis, mesh) or _material_in_doubt(analysis, mesh) if analyses.is_ours(mesh) else ""
         if problem:
             return problem
     return _lost(analysis)
@@ -63,6 +63,15 @@ def _without_elements(analysis, mesh):
             if names and not foreign and small.issuperset(names):
                 return in_words(said(references.ACTS_ON_NOTHING, object=member.Label, places=names))
     return ""
+
+
+def _material_in_doubt(analysis, mesh):
+    """Solids have become one, or there is another one, since materials were chosen for them."""
+    source, chosen = analyses.source_of(mesh), list(filter(is_material, analysis.Group))
+    if source is None or len(chosen) < 2:
+        return ""
+    problem = materials.doubt(chosen, resolving.Resolver(versions.part_of(source)), EntityGroups(source.Proxy.arrays(source)))
+    return in_words(problem) if problem else ""
 
 
 def _ours_in(document):

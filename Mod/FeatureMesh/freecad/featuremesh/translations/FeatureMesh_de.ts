@@ -1993,6 +1993,14 @@
       <translation>{sides:count} {sides:Seite|Seiten} von Elementen bei {places:entities} {sides:ist|sind} gerade, {sides:ihre Mitte|ihre Mitten} bis zu {distance:length} neben dem Bauteil, weil Elemente gefaltet würden, wenn {sides:sie ihm folgte|sie ihm folgten}. FreeCAD findet diese Knoten nicht auf der Fläche, so dass einer Last darauf die Elemente dort fehlen. Dort eine andere Größe wählen.</translation>
     </message>
     <message>
+      <source>{solid:entities} has no material; choose one for it</source>
+      <translation>{solid:entities} hat kein Material; wählen Sie eines dafür</translation>
+    </message>
+    <message>
+      <source>{solid:entities} has several materials: {materials:text}; take it out of the references of all but one</source>
+      <translation>{solid:entities} hat mehrere Materialien: {materials:text}; nehmen Sie ihn aus den Verweisen aller außer einem</translation>
+    </message>
+    <message>
       <source>{solver:text} only checks the mesh (Check Mesh), which gives no result; choose another type of analysis in its panel</source>
       <translation>{solver:text} prüft nur das Netz (Check Mesh), was kein Ergebnis gibt; in seinem Aufgabenfenster eine andere Art der Analyse wählen</translation>
     </message>
