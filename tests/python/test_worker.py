@@ -97,6 +97,27 @@ class InWorker(unittest.TestCase):
         self.document.recompute()
 
 
+class AnotherPlace(InWorker):
+
+    def test_what_is_being_made_is_done_where_it_was_begun(self):
+        """The preference is changed meanwhile."""
+        raw, steps = reading.read_document(self.body), []
+
+        def change(step, share):
+            if not steps:
+                engine.run_here()
+            steps.append(step)
+            return True
+        mesher = engine.load()
+        done = []
+        thread = threading.Thread(target=lambda: done.append(mesher.mesh_part(raw, OPTIONS, change)))
+        thread.start()
+        process = mesher.process_id
+        thread.join()
+        self.assertGreater(len(done[0][0].arrays()["tets"]), 100)
+        self.assertTrue(steps and process is not None and mesher.process_id is None)
+
+
 class SameEitherWay(InWorker):
 
     def saved(self, mesh):

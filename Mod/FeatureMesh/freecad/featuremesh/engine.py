@@ -34,7 +34,7 @@ def run_here():
     """From now on the engine runs in FreeCAD's own process, unless it has an OCCT of its own."""
     global _asked
     _asked = False
-    _worker.stop()
+    _worker.retire()
 
 
 def runs_in_worker():

@@ -166,6 +166,11 @@ class WorkerEngine:
         for lane in self._lanes.values():
             lane.end()
 
+    def retire(self):
+        """Ends the processes, those that are at work when they are done; a later call starts them again."""
+        for lane in self._lanes.values():
+            lane.retire()
+
     @property
     def process_id(self):
         """Of the process that meshes; None when it does not run."""
@@ -181,6 +186,7 @@ class WorkerEngine:
             if progress is not None and not progress("waiting", 0.0):
                 raise Cancelled("cancelled")
             let_the_window_live()
+        lane.calls += 1
         try:
             for mesh in (value for value in args if isinstance(value, WorkerMesh)):
                 self._bring(mesh, lane, progress)
@@ -188,6 +194,9 @@ class WorkerEngine:
                 kwargs["progress"] = True
             return self._ask(lane, name, args, kwargs, progress)
         finally:
+            lane.calls -= 1
+            if lane.is_to_end and not lane.calls:
+                lane.end()
             lane.lock.release()
 
     def _bring(self, mesh, lane, progress):
@@ -225,6 +234,8 @@ class _Lane:
         self.engine = engine
         self.grace = grace   # seconds that cancelled work has to end by itself; None: GRACE
         self.process = None
+        self.calls = 0   # that wait for an answer, of the one that has the lock
+        self.is_to_end = False   # when these have theirs
 
     def running(self, folder):
         if self.process is None or not self.process.is_alive():
@@ -233,9 +244,17 @@ class _Lane:
         return self.process
 
     def end(self):
+        self.is_to_end = False
         if self.process is not None:
             self.process.kill()
             self.process = None
+
+    def retire(self):
+        self.is_to_end = True
+        if self.lock.acquire(blocking=False):
+            if not self.calls:
+                self.end()
+            self.lock.release()
 
 
 def start_process(folder):
