@@ -215,6 +215,21 @@ class LoadCases(MeshedPlate):
         nodes, groups = self.mesh.FemMesh.Nodes, groups_in_freecad(self.mesh)
         self.assertEqual({round(nodes[number].x, 6) for number in groups["Fixed_Nodes"]}, {0})
 
+    def test_loads_of_a_mesh_that_waits_go_with_a_new_one(self):
+        """The one that is updated by hand is dragged out after an edit, and the part meshed anew."""
+        self.mesh.Automatic = False
+        chamfer = self.body.newObject("PartDesign::Chamfer", "Chamfer")
+        chamfer.Base, self.body.Tip = (self.document.Hole, ["Edge1"]), chamfer
+        self.document.recompute()
+        self.analysis.removeObject(self.mesh)
+        new = api.add_mesh(self.body, 5.0, order=1, join_analysis=False)
+        self.analysis.addObject(new)
+        self.document.recompute()
+        ends = [("Body", face_across(self.body, 0, place)) for place in (0, 60)]
+        self.assertEqual([(load.References[0][0].Name, *load.References[0][1]) for load in (self.fixed, self.force)], ends)
+        api.update_mesh(self.mesh)
+        self.assertEqual([(load.References[0][0].Name, *load.References[0][1]) for load in (self.fixed, self.force)], ends)
+
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_both_are_solved_with_one_mesh(self):
         copy = self.twin()

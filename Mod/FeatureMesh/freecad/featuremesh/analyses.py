@@ -5,6 +5,7 @@ import FreeCAD
 
 from . import versions
 from .errors import UserError
+from .mesh_properties import is_of_its_part
 from .messages import said
 from .proxies import type_of
 from .reading import describe, refuse_gone
@@ -115,6 +116,12 @@ def _is_first_of_its_part(mesh):
     part = versions.part_of(mesh)
     of_part = [obj for obj in mesh.Document.Objects if type_of(obj) == _OURS and versions.part_of(obj) is part]
     return mesh is next((obj for obj in of_part if getattr(obj, "Automatic", True)), of_part[0] if of_part else None)
+
+
+def left_behind(mesh):
+    """The other meshes of its part that have not followed the last edit."""
+    return [obj for obj in mesh.Document.Objects if type_of(obj) == _OURS and obj is not mesh and obj.SavedState and versions.part_of(obj) is versions.part_of(mesh)
+            and not is_of_its_part(obj)]
 
 
 def is_ours(mesh):

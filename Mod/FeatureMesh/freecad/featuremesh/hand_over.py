@@ -400,6 +400,17 @@ def _name_of(group):
     return group.Label if getattr(group, "UseLabel", False) else group.Name
 
 
+def renumbered(arrays):
+    """The same mesh with numbers without gaps, as a first mesh has them: in the order of the arrays, triangles, tets, segments."""
+    new, first = dict(arrays), 1
+    new["node_numbers"] = np.arange(1, len(arrays["node_numbers"]) + 1)
+    for name in ("triangle_numbers", "tet_numbers", "segment_numbers"):
+        new[name] = np.arange(first, first + len(arrays[name]))
+        first += len(arrays[name])
+    new["counters"] = np.array([*arrays["counters"][:2], len(new["node_numbers"]) + 1, first], dtype=np.int64)
+    return new
+
+
 def is_material(member):
     """Is it a material that may be one of several?"""
     return member.isDerivedFrom("App::MaterialObject") and hasattr(member, "References")

@@ -7,7 +7,6 @@ import time
 
 import FreeCAD
 import Fem
-import numpy as np
 
 from . import adopt, analyses, chosen_solids, contact_faces, copied_part, engine, given_mesh, hand_over, history, log, mesh_properties, messages, mixed_elements
 from . import references, refinements, results, rigid_bodies, solve_guard, state, state_property, too_fine, versions
@@ -120,7 +119,7 @@ class FeatureMesh(Stateless):
         part_mesh = self.last_part_mesh(mesh)
         saved = state.load(mesh.SavedState)
         before = saved.arrays["counters"][2:4] - 1
-        arrays = renumbered(part_mesh.arrays())
+        arrays = hand_over.renumbered(part_mesh.arrays())
         job = MeshJob(saved.raw if self._raw is None else self._raw, saved.options, None, None, [])
         job.part_mesh = engine.load().restore_part(saved.raw, saved.options, arrays)
         self._show(mesh, job.part_mesh)
@@ -206,13 +205,25 @@ class FeatureMesh(Stateless):
         if job.problem:
             add_fallback(report, said("meshed from scratch: {why:messages}", why=job.problem))
         with references.not_touched([*mesh.MeshRegionList, *mesh.MeshGroupList]):
-            moved = job.remarks + self._follow(mesh, analyses.followed_by(mesh), job.raw, lambda: self._followed_faces(job))
+            behind = analyses.left_behind(mesh) if self._raw is None and not versions.follows_faces() else []
+            moved = job.remarks + [line for other in behind for line in other.Proxy.catch_up(other, job.raw)]
+            moved += self._follow(mesh, analyses.followed_by(mesh), job.raw, lambda: self._followed_faces(job))
             report["warnings"] = report.get("warnings", []) + moved
             self.settle(mesh, self._referring(mesh), job.raw)
         report["warnings"] += self._what_is_elsewhere(mesh, analyses.dependents_of(mesh), job.raw).values()
-        report["warnings"] += hand_over.remarks_on_groups(job.part_mesh, mesh, versions.part_of(mesh), job.raw)
-        report["warnings"] += remarks_on_form(mesh, element_count(report))
+        report["warnings"] += hand_over.remarks_on_groups(job.part_mesh, mesh, versions.part_of(mesh), job.raw) + remarks_on_form(mesh, element_count(report))
         return report
+
+    def catch_up(self, mesh, raw):
+        """Lets references go with edits that the mesh has not followed, to `raw`: another mesh of the part begins with that. Returns what was done."""
+        try:
+            self._load(mesh)
+        except StateError:
+            return []
+        objects = list(filter(None, map(mesh.Document.getObject, self._record(mesh))))
+        lines = self._follow(mesh, objects, raw, lambda: engine.load().followed_faces(self._raw, raw))
+        self.note_references(mesh, objects, raw)
+        return lines
 
     def fail(self, mesh, error):
         """Says why there is no new mesh; the old one stays."""
@@ -582,17 +593,6 @@ def options_of(mesh, part, raw=None, refined=None, settings=None):
     if refined.zones:
         options["zones"] = [wish for wish, _ in refined.zones]
     return options
-
-
-def renumbered(arrays):
-    """The same mesh with numbers without gaps, as a first mesh has them: in the order of the arrays, triangles, tets, segments."""
-    new, first = dict(arrays), 1
-    new["node_numbers"] = np.arange(1, len(arrays["node_numbers"]) + 1)
-    for name in ("triangle_numbers", "tet_numbers", "segment_numbers"):
-        new[name] = np.arange(first, first + len(arrays[name]))
-        first += len(arrays[name])
-    new["counters"] = np.array([*arrays["counters"][:2], len(new["node_numbers"]) + 1, first], dtype=np.int64)
-    return new
 
 
 def is_cancelled(error):

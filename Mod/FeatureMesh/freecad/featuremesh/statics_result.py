@@ -6,7 +6,7 @@ import numpy as np
 import ObjectsFem
 from femtools import femutils
 
-from . import hand_over, mesh_object, results
+from . import hand_over, results
 from .given_mesh import give
 from .proxies import HIDDEN, NO_TOUCH
 
@@ -91,7 +91,7 @@ def last_displacements(analysis):
 
 def result_mesh(arrays):
     """The tets alone, numbered from 1 in the order of the arrays."""
-    alone = mesh_object.renumbered({**arrays, **hand_over.NO_SEGMENTS, **hand_over.NO_TRIANGLES})
+    alone = hand_over.renumbered({**arrays, **hand_over.NO_SEGMENTS, **hand_over.NO_TRIANGLES})
     alone["entities"] = np.tile(np.array([[3, 0]], dtype=np.int32), (len(alone["points"]), 1))
     return hand_over.build(alone, [])
 
