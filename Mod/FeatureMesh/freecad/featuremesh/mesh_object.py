@@ -205,7 +205,7 @@ class FeatureMesh(Stateless):
         if job.problem:
             add_fallback(report, said("meshed from scratch: {why:messages}", why=job.problem))
         with references.not_touched([*mesh.MeshRegionList, *mesh.MeshGroupList]):
-            behind = analyses.left_behind(mesh) if self._raw is None and not versions.follows_faces() else []
+            behind = analyses.left_behind(mesh) if self._raw is None else []
             moved = job.remarks + [line for other in behind for line in other.Proxy.catch_up(other, job.raw)]
             moved += self._follow(mesh, analyses.followed_by(mesh), job.raw, lambda: self._followed_faces(job))
             report["warnings"] = report.get("warnings", []) + moved
@@ -220,7 +220,7 @@ class FeatureMesh(Stateless):
             self._load(mesh)
         except StateError:
             return []
-        objects = list(filter(None, map(mesh.Document.getObject, self._record(mesh))))
+        objects = [obj for obj in map(mesh.Document.getObject, self._record(mesh)) if obj is not None and references.is_left_behind(obj)]
         lines = self._follow(mesh, objects, raw, lambda: engine.load().followed_faces(self._raw, raw))
         self.note_references(mesh, objects, raw)
         return lines

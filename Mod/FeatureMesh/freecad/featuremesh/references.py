@@ -118,6 +118,11 @@ def are_set_again(obj, known, deleted):
     return versions.follows_faces() and not is_being_edited(obj) and not differs(obj, known, deleted)
 
 
+def is_left_behind(obj):
+    """Does nobody but a mesh let the references of the object follow an edit? Since 1.0 FreeCAD does, unless it has lost something."""
+    return not versions.follows_faces() or any(LOST in sub for _, sub in pairs_of(obj))
+
+
 def lost_by_deletion(known, deleted):
     """Was something that the record knows deleted since?"""
     return any(pair[0] in deleted for of in (known, *known.get("along", {}).values()) for pair in of["pairs"])
