@@ -392,10 +392,12 @@ def drive():
 
     check_tables_close(compare, saved)
 
-    # A local size on a selected face; without a selection a message
+    # A local size on a selected face; for a whole part a message
+    Gui.Selection.addSelection(body)
     Gui.runCommand("FeatureMesh_AddLocalSize")
     spin()
-    assert messages and "select faces" in messages[-1], messages
+    assert messages and "is for faces, edges or vertices" in messages[-1], messages
+    Gui.Selection.clearSelection()
     Gui.Selection.addSelection(body, "Face1")
     run_as_one_step(document, "FeatureMesh_AddLocalSize")
     Gui.Control.closeDialog()
@@ -432,15 +434,21 @@ def drive():
 
 
 def check_adoption(api, document, body, mesh):
-    """A foreign mesh becomes ours by one command, and one undo takes that back."""
+    """A foreign mesh becomes ours by one command, as is preferred, and one undo takes that back."""
+    from freecad.featuremesh import preferences
     mesh.Size = 2.5
     document.recompute()
     foreign = document.addObject("Fem::FemMeshObject", "Foreign")
     foreign.FemMesh = mesh.FemMesh
     before = points_of(mesh)
     document.removeObject(mesh.Name)
+    preferences.put("Automatic", False)
+    preferences.put("Threads", 1)
     run_as_one_step(document, "FeatureMesh_Adopt")
+    FreeCAD.ParamGet(preferences.GROUP).Clear()
     adopted, = api.meshes_of(document)
+    assert (adopted.Automatic, adopted.Threads, adopted.Status) == (False, 1, "up to date"), adopted.Status
+    adopted.Automatic = True
     shared = len(points_of(adopted).items() & points_of(foreign).items())
     assert shared > 0.9 * len(before), (shared, len(before), messages[-1])
     assert adopted.ViewObject.Visibility and not foreign.ViewObject.Visibility

@@ -103,7 +103,7 @@ def update_mesh(mesh, full=False, progress=None):
     return report
 
 
-def adopt_mesh(foreign, part=None, size=None, progress=None, in_place_of=None):
+def adopt_mesh(foreign, part=None, size=None, progress=None, in_place_of=None, threads=0, automatic=True):
     """Makes the mesh of another FEM mesh object (Gmsh, Netgen, imported) a mesh object of ours that updates locally.
 
     `part` is by default the one the mesh was made of, `size` (mm) the edge length most of the mesh has. What fits the part keeps its
@@ -122,7 +122,7 @@ def adopt_mesh(foreign, part=None, size=None, progress=None, in_place_of=None):
                              part=reading.describe(part), mesh=reading.describe(others[0])))
     arrays = adopt.arrays_of(foreign)
     order = 2 if len(arrays["tet_mids"]) else 1
-    mesh = add_mesh(part, adopt.typical_size(arrays) if size is None else size, order, join_analysis=False)
+    mesh = add_mesh(part, adopt.typical_size(arrays) if size is None else size, order, threads, automatic=automatic, join_analysis=False)
     try:
         _take_what_belongs_to(foreign, mesh)
         report = mesh.Proxy.adopt(mesh, arrays, progress)

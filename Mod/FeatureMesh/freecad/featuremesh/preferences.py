@@ -53,5 +53,9 @@ def put_colour(name, rgb):
 
 def for_new_mesh():
     """The settings of a new mesh as arguments of api.add_mesh."""
-    return {"elements": get("ElementsAlongDiagonal"), "order": 2 if get("SecondOrder") else 1, "threads": get("Threads"),
-            "automatic": get("Automatic")}
+    return {"elements": get("ElementsAlongDiagonal"), "order": 2 if get("SecondOrder") else 1, **for_adopted_mesh()}
+
+
+def for_adopted_mesh():
+    """Those of them that another maker's mesh does not bring along."""
+    return {"threads": get("Threads"), "automatic": get("Automatic")}

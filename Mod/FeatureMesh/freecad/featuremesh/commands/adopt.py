@@ -2,7 +2,7 @@
 import FreeCAD
 import FreeCADGui as Gui
 
-from .. import adopt, api, reading, versions
+from .. import adopt, api, preferences, reading, versions
 from ..errors import UserError
 from ..gui import message_box, recording
 from ..messages import said
@@ -36,7 +36,7 @@ class Command(MeshCommand):
                                   {"take": translate("FeatureMesh", "Take its place")})
 
     def adopt(self, foreign, part, existing=None):
-        mesh, _ = recording.run(api.adopt_mesh, foreign, part, in_place_of=existing)
+        mesh, _ = recording.run(api.adopt_mesh, foreign, part, in_place_of=existing, **preferences.for_adopted_mesh())
         for obj in filter(None, (foreign, existing, versions.part_of(mesh))):
             obj.ViewObject.Visibility = False   # two things in one place flicker
         mesh.ViewObject.Visibility = True
