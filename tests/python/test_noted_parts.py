@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is chosen on a part that was edited after its last mesh stays there, whatever comes between."""
+import unittest
+
 import FreeCAD
 import ObjectsFem
-from freecad.featuremesh import api, mesh_object
+from freecad.featuremesh import api, mesh_object, references
 from freecad.featuremesh.messages import english
 from meshed_plate import MeshedPlate
+from parts import new_document, plate_with_hole
 
 
 class ChosenAfterTheLastMesh(MeshedPlate):
@@ -63,3 +66,26 @@ class ChosenAfterTheLastMesh(MeshedPlate):
         self.mesh.Proxy._noted._parts.clear()   # as in a document of another FreeCAD
         report = api.update_mesh(self.mesh)
         self.assertIn("Late could not be followed", "\n".join(map(english, report["warnings"])))
+
+
+class AShapeThatAScriptSets(unittest.TestCase):
+    """Since 1.0 FreeCAD lets references follow it, which nobody chose."""
+
+    def test_what_is_lost_is_said_and_comes_back(self):
+        document = new_document()
+        body = plate_with_hole(document)
+        part = document.addObject("Part::Feature", "Copy")
+        part.Shape = body.Shape
+        analysis, load = ObjectsFem.makeAnalysis(document, "Analysis"), ObjectsFem.makeConstraintPressure(document, "Load")
+        wall, = (name for name in map("Face{}".format, range(1, 8)) if "Cylinder" in part.Shape.getElement(name).Surface.TypeId)
+        load.References = [(part, wall)]
+        mesh = api.add_mesh(part, 6.0, order=1)
+        for member in {load, mesh} - set(analysis.Group):
+            analysis.addObject(member)
+        document.recompute()
+        for tip, left in ((document.Plate, []), (document.Hole, [(part, (wall,))])):
+            body.Tip = tip
+            document.recompute()
+            part.Shape = body.Shape
+            document.recompute()
+            self.assertEqual((mesh.Status, load.References, len(references.unmended(analysis))), (mesh_object.UP_TO_DATE, left, not left))

@@ -18,6 +18,7 @@ _deleted = {}   # name of a document -> names of the objects deleted from it
 _recomputed = set()   # names of the documents that were recomputed since they were opened
 _undone = set()   # and of those in which something was undone or redone since
 _untouched = {}   # name of a document -> names of the meshes and zones that were not touched when its last transaction began
+_getting_shape = set()   # (name of a document, name) of the objects that are being given another shape just now
 _left_touched = {}   # name of a document -> names of the objects that recomputes left touched, or have come to so far
 
 
@@ -82,6 +83,7 @@ class _Observer:
     slotRedoDocument = slotUndoDocument
 
     def slotOpenTransaction(self, document, _):
+        _getting_shape.clear()
         _untouched[document.Name] = [obj.Name for obj in document.Objects if (_is_ours(obj) or size_zone.is_zone(obj)) and "Touched" not in obj.State]
 
     def slotAbortTransaction(self, document):
@@ -128,14 +130,20 @@ class _Observer:
         _untouched.pop(document.Name, None)
         results.forget(document)
 
+    def slotBeforeChangeObject(self, obj, name):
+        if name == "Shape" and obj.isDerivedFrom("Part::Feature"):
+            _getting_shape.add((obj.Document.Name, _name_of(obj)))
+
     def slotChangedObject(self, obj, name):
+        if name == "Shape":
+            _getting_shape.discard((obj.Document.Name, _name_of(obj)))
         if name == "Data" and results.is_result(obj) and not (FreeCAD.isRestoring() or obj.Document.Recomputing or obj.Document.Transacting):
             results.note_again(obj, from_input=True)   # since 1.1 a solver fills its pipeline anew
         if FreeCAD.isRestoring() or obj.Document.Recomputing:
             return
         _left_touched.get(obj.Document.Name, set()).discard(_name_of(obj))
-        if obj.Document.Transacting:
-            return
+        if obj.Document.Transacting or _getting_shape and name in ("References", *references.ALONG):
+            return   # since 1.0 FreeCAD lets references follow a shape that a script sets
         results.member_changed(obj, name)
         if name not in _WATCHED:
             return
