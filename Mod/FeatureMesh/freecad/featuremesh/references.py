@@ -218,7 +218,7 @@ def _gone(obj):
     if not pairs:
         return getattr(obj, MARK, [])
     ends = [(path[-1], element) for path, element in (path_of(*pair) for pair in pairs)]
-    return [element.lstrip(LOST) for end, element in ends if element.lstrip(LOST).rstrip("0123456789") in _OF_A_SHAPE and has_shape(end)
+    return [element.lstrip(LOST) for end, element in ends if element.lstrip(LOST).rstrip("0123456789") in _OF_A_SHAPE and hasattr(end, "Shape") and has_shape(end)
             and not is_element_of(end.Shape, element)]
 
 
