@@ -103,6 +103,15 @@ class SolveGuard(unittest.TestCase):
             self.document.recompute()
             self.assertEqual(self.problem(), "")
 
+    def test_a_part_that_fails_again_after_that_was_cancelled(self):
+        for _ in range(2):
+            self.document.openTransaction("Edit")
+            self.part.Length = 0
+            self.document.recompute()
+            self.assertRegex(self.mesh.Status, "^failed: FreeCAD cannot recompute Beam")
+            self.document.abortTransaction()
+            self.assertEqual(self.mesh.Status, mesh_properties.UP_TO_DATE)
+
     def test_an_edit_that_was_not_recomputed_is_solved_by_no_way(self):
         """FreeCAD's "Skip recomputes" leaves shape and mesh as they were, also in a document that is saved so."""
         self.document.RecomputesFrozen = True

@@ -55,4 +55,4 @@ class _Observer:
         """All errors that the next recompute finds are new ones."""
         self._known.pop(document.Name, None)
 
-    slotUndoDocument = slotRedoDocument = slotDeletedDocument = forget
+    slotUndoDocument = slotRedoDocument = slotAbortTransaction = slotDeletedDocument = forget
