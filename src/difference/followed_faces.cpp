@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "difference/followed_faces.h"
 
-#include <BRepTools.hxx>
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <set>
 
 #include "brep/occt_geometry.h"
 #include "core/geometry.h"
 #include "difference/made_partners.h"
+#include "difference/made_pieces.h"
 #include "difference/place_partners.h"
 #include "difference/underlying_geometry.h"
 #include "features/feature_tree.h"
@@ -29,7 +28,12 @@ bool contains(const List& list, const T& value) {
 class FaceFollower {
   public:
     FaceFollower(const MadeFaces& was, const MadeFaces& is)
-        : old_(was.state()), new_(is.state()), was_(was), is_(is), partners_(partners_of_made_faces(was, is)) {
+        : old_(was.state()),
+          new_(is.state()),
+          was_(was),
+          is_(is),
+          partners_(partners_of_made_faces(was, is)),
+          pieces_(was, is) {
         followed_.resize(old_.brep.face_count());
         in_place_.resize(followed_.size());
         claimed_.assign(new_.brep.face_count(), 0);
@@ -74,16 +78,13 @@ class FaceFollower {
 
     /// New faces of the final shape on the made faces that those of the old one became.
     void find_candidates() {
-        std::vector<std::vector<FaceId>> by_made(is_.faces().size());
-        for (std::size_t g = 0; g < claimed_.size(); ++g)
-            for (const int m : is_.made(FaceId(g))) by_made[std::size_t(m)].push_back(FaceId(g));
         candidates_.resize(followed_.size());
         is_of_other_solid_.assign(followed_.size(), 0);
         for (std::size_t f = 0; f < followed_.size(); ++f) {
             std::set<FaceId> found;
             for (const int m : was_.made(FaceId(f)))
                 for (const int n : partners_[std::size_t(m)])
-                    found.insert(by_made[std::size_t(n)].begin(), by_made[std::size_t(n)].end());
+                    found.insert(pieces_.new_on(n).begin(), pieces_.new_on(n).end());
             candidates_[f].assign(found.begin(), found.end());
         }
         if (old_.brep.solid_count() > 1) leave_other_solids_theirs();
@@ -178,11 +179,8 @@ class FaceFollower {
 
     /// Are there other faces of the old final shape on one of its made faces?
     bool has_siblings(FaceId f) const {
-        for (std::size_t h = 0; h < followed_.size(); ++h)
-            if (FaceId(h) != f && std::any_of(was_.made(f).begin(), was_.made(f).end(),
-                                              [&](int m) { return contains(was_.made(FaceId(h)), m); }))
-                return true;
-        return false;
+        return std::any_of(was_.made(f).begin(), was_.made(f).end(),
+                           [&](int m) { return pieces_.old_on(m).size() > 1; });
     }
 
     bool stays(FaceId f) const {
@@ -198,44 +196,11 @@ class FaceFollower {
     }
 
     /// Does most of one lie on the other, where the made face takes it along?
-    bool share_points(FaceId f, FaceId g) const {
+    bool share_points(FaceId f, FaceId g) {
         for (const int m : was_.made(f))
             for (const int n : partners_[std::size_t(m)])
-                if (contains(is_.made(g), n) &&
-                    std::max(share(old_.brep.face(f), was_.faces()[std::size_t(m)], new_.brep.face(g),
-                                   is_.faces()[std::size_t(n)]),
-                             share(new_.brep.face(g), is_.faces()[std::size_t(n)], old_.brep.face(f),
-                                   was_.faces()[std::size_t(m)])) > most_of_it)
-                    return true;
+                if (contains(is_.made(g), n) && pieces_.in_common(f, m, g, n) > most_of_it) return true;
         return false;
-    }
-
-    /// Share of the points of a face, on `from`, that its partner takes into the other face.
-    static double share(const TopoDS_Face& face, const MadeFace& from, const TopoDS_Face& other, const MadeFace& to) {
-        const FaceProbe target(other);
-        const std::vector<Vec3> points = points_over(face);
-        int own = 0, inside = 0;
-        for (const Vec3& p : points) {
-            if (!from.probe.contains(p, boolean_tolerance)) continue;
-            ++own;
-            inside += target.contains(carried(p, from, to), boolean_tolerance);
-        }
-        return own == 0 ? 0 : double(inside) / own;
-    }
-
-    /// To the same place relative to the bounds of the made face.
-    static Vec3 carried(const Vec3& p, const MadeFace& from, const MadeFace& to) {
-        if (from.underlying.kind == SurfaceKind::free_form || to.underlying.kind != from.underlying.kind) return p;
-        std::array<double, 4> a{}, b{};
-        BRepTools::UVBounds(from.face, a[0], a[1], a[2], a[3]);
-        BRepTools::UVBounds(to.face, b[0], b[1], b[2], b[3]);
-        std::array<double, 2> uv = parameters_of(from.underlying, p);
-        for (std::size_t i = 0; i < 2; ++i) {
-            const double low = a[2 * i], high = a[2 * i + 1];
-            if (uv[i] < low - 1e-9) uv[i] += 2 * std::numbers::pi;
-            uv[i] = b[2 * i] + (high > low ? (uv[i] - low) / (high - low) : 0.5) * (b[2 * i + 1] - b[2 * i]);
-        }
-        return point_at(to.underlying, uv[0], uv[1]);
     }
 
     // By its place
@@ -451,6 +416,7 @@ class FaceFollower {
     const MadeFaces& was_;
     const MadeFaces& is_;
     const std::vector<std::vector<int>> partners_;
+    MadePieces pieces_;
     std::optional<RigidMotion> motion_;
     std::vector<FollowedFace> followed_;
     std::vector<FaceChange> in_place_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "brep/occt_geometry.h"
 #include "core/geometry.h"
@@ -129,7 +130,7 @@ class PieceMatcher {
         for (std::size_t i = 0; i < from.size(); ++i)
             if (!points_likewise(old_face(from[i]).underlying, new_face(to[i]).underlying, motion)) return;
         const bool is_import = was_.state().tree.is_import(old_piece(o).feature);
-        if (is_import && has_another_order(from, to, motion)) return;
+        if (has_another_order(from, to, motion, is_import)) return;
         for (std::size_t i = 0; i < from.size(); ++i)
             if (!is_import || is_as_wide(old_face(from[i]).underlying, new_face(to[i]).underlying) ||
                 box_of_old(from[i], motion).overlaps(new_face(to[i]).probe.box()))
@@ -140,24 +141,36 @@ class PieceMatcher {
         return motion.is_identity() ? old_face(f).probe.box() : box_after(old_face(f).face, motion);
     }
 
-    /// Another file may list the same faces in another order: does one lie where another one lay?
-    bool has_another_order(const std::vector<int>& from, const std::vector<int>& to, const RigidMotion& motion) const {
+    /// Another file may list the same faces in another order, and so may the kernel where it split one: does one lie
+    /// where another one lay?
+    bool has_another_order(const std::vector<int>& from, const std::vector<int>& to, const RigidMotion& motion,
+                           bool is_import) const {
         const Sameness same = sameness();
         for (std::size_t i = 0; i < from.size(); ++i) {
             const UnderlyingSurface was = moved(old_face(from[i]).underlying, to_trsf(motion));
             const Box box = box_of_old(from[i], motion);
-            const auto lies_there = [&](int g) { return lies_where(was, box, new_face(g), same); };
+            const auto lies_there = [&](int g) {
+                return lies_where(was, box, new_face(g), same, is_import) && looks_likewise(from[i], g, motion);
+            };
             if (!lies_there(to[i]) && std::any_of(to.begin(), to.end(), lies_there)) return true;
         }
         return false;
     }
 
-    /// A hole that has moved a little lies there, too.
-    static bool lies_where(const UnderlyingSurface& was, const Box& box, const MadeFace& is, const Sameness& same) {
+    /// A hole of an import that has moved a little lies there, too.
+    static bool lies_where(const UnderlyingSurface& was, const Box& box, const MadeFace& is, const Sameness& same,
+                           bool is_import) {
         if (was.kind != is.underlying.kind) return false;
-        if (was.kind != SurfaceKind::plane && was.kind != SurfaceKind::free_form)
+        if (is_import && was.kind != SurfaceKind::plane && was.kind != SurfaceKind::free_form)
             return is.probe.box().overlaps(box) && is_as_wide(was, is.underlying);
         return is.probe.box().is_close_to(box, boolean_tolerance) && same_underlying(was, is.underlying, same);
+    }
+
+    /// Out of the material: what moves by its own length has its other end there then.
+    bool looks_likewise(int f, int g, const RigidMotion& motion) const {
+        const std::optional<Vec3>& p = old_face(f).probe.inner_point();
+        return !p ||
+               dot(motion.rotate(old_face(f).probe.normal_at(*p)), new_face(g).probe.normal_at(motion.apply(*p))) >= 0;
     }
 
     static bool points_likewise(const UnderlyingSurface& was, const UnderlyingSurface& is, const RigidMotion& motion) {
