@@ -182,3 +182,58 @@ TEST_CASE("faces that no element of the sketch made are not told by the kernel's
         CHECK(box_of(is.brep.face(followed[f].new_faces[0])).is_close_to(box_of(was.brep.face(FaceId(f))), 1e-9));
     }
 }
+
+namespace {
+/// Two walls on a floor, both pierced by one square hole, which is made from `begin` to `end` and is `width` wide.
+PartState pierced(double begin, double end, double width) {
+    return part(
+        {{"Holder", Effect::adds, {box({0, 0, 0}, {50, 20, 30})}, {}},
+         {"Slot", Effect::removes, {box({10, -1, 10}, {30, 22, 21})}, {}},
+         {"Hole", Effect::removes, {box({begin, 10 - width / 2, 20 - width / 2}, {end - begin, width, width})}, {}}});
+}
+
+/// A bar with two slots across it, the whole at `x`; `length` of the bar.
+PartState slotted(double x, double length) {
+    return part({{"Bar", Effect::adds, {box({x, 0, 0}, {length, 10, 10})}, {}},
+                 {"Slots", Effect::removes, {box({x + 10, -1, 5}, {2, 12, 6}), box({x + 22, -1, 5}, {2, 12, 6})}, {}}});
+}
+
+/// Every face that is all above a height is followed to one alone, the middle of which is `by` away, give and take.
+void check_moved(const PartState& was, const PartState& is, const Vec3& by, double give, double above = -1) {
+    const std::vector<FollowedFace> followed = follow_faces(was, {}, is, {});
+    for (std::size_t f = 0; f < was.brep.face_count(); ++f) {
+        if (box_of(was.brep.face(FaceId(f))).low.z < above) continue;
+        REQUIRE(followed[f].new_faces.size() == 1);
+        const Vec3 there = box_of(is.brep.face(followed[f].new_faces[0])).center();
+        CHECK(distance(there, box_of(was.brep.face(FaceId(f))).center() + by) <= give);
+    }
+}
+}  // namespace
+
+TEST_CASE("what a longer hole makes of walls that it crosses stays with its wall") {
+    check_moved(pierced(-1000, 3000, 6), pierced(-50, 100, 6.2), {}, 0.2);
+    check_moved(pierced(-5, 55, 6), pierced(-5, 95, 6), {}, 1e-6);
+    check_moved(pierced(-5, 55, 6), pierced(-45, 55, 6.2), {}, 0.2);
+}
+
+TEST_CASE("pieces of a face go with it where it moves, onto others, too") {
+    check_moved(slotted(0, 34), slotted(13, 34), {13, 0, 0}, 1e-6, 9);
+    check_moved(slotted(0, 34), slotted(5, 34), {5, 0, 0}, 1e-6, 9);
+    check_moved(slotted(0, 34), slotted(0, 36), {}, 2.1, 9);
+}
+
+TEST_CASE("the kernel may list the faces of a feature in another order, too") {
+    const auto made = [](PartState state) {
+        state.tree.features[0].role = Role::additive;
+        return state;
+    };
+    const PartState was = made(imported({{20, 20, 6}, {40, 20, 6}})),
+                    is = made(in_another_order(imported({{20, 20, 6}, {41, 20, 6}}), true));
+    const std::vector<FollowedFace> followed = follow_faces(was, {}, is, {});
+    for (const FaceId wall : walls_of(was)) {
+        const std::vector<FaceId>& now = followed[wall.index()].new_faces;
+        REQUIRE(now.size() == 1);
+        const double x = underlying_of(was.brep.face(wall)).position.Location().X();
+        CHECK(underlying_of(is.brep.face(now[0])).position.Location().X() == Approx(x > 30 ? 41 : 20));
+    }
+}
