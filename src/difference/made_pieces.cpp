@@ -36,7 +36,7 @@ class Carrying {
   private:
     double at(std::size_t i, double was, double there) const {
         const auto [low, high] = a_[i];
-        if (i == 0 && from_.underlying.kind != SurfaceKind::plane && was < low - 1e-9) was += 2 * std::numbers::pi;
+        if (goes_round(i) && was < low - 1e-9) was += 2 * std::numbers::pi;
         switch (anchors_[i]) {
             case PieceAnchor::place:
                 break;
@@ -48,6 +48,11 @@ class Carrying {
                 return b_[i][0] + (high > low ? (was - low) / (high - low) : 0.5) * (b_[i][1] - b_[i][0]);
         }
         return there;
+    }
+
+    bool goes_round(std::size_t i) const {
+        const SurfaceKind kind = from_.underlying.kind;
+        return kind == SurfaceKind::torus || (i == 0 && kind != SurfaceKind::plane);
     }
 
     const MadeFace &from_, &to_;
@@ -89,9 +94,9 @@ const std::vector<Vec3>& MadePieces::points_on(State& state, FaceId f, int made)
 }
 
 double MadePieces::in_common(FaceId old_piece, int old_made, FaceId new_piece, int new_made) {
-    const auto known = anchors_.find({old_made, new_made});
-    const Anchors anchors = known != anchors_.end() ? known->second : anchors_of(old_made, new_made);
-    anchors_[{old_made, new_made}] = anchors;
+    const auto [known, is_new] = anchors_.try_emplace({old_made, new_made});
+    if (is_new) known->second = anchors_of(old_made, new_made);
+    const Anchors& anchors = known->second;
     return std::max(share(old_, old_piece, old_made, new_, new_piece, new_made, anchors),
                     share(new_, new_piece, new_made, old_, old_piece, old_made, anchors));
 }
