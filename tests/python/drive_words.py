@@ -262,6 +262,21 @@ def check_field_of_before():
         assert freecad_widget.made("Gui::QuantitySpinBox") is new
 
 
+def check_widgets_of_before():
+    """What FreeCAD takes for a widget that is gone is left out where a panel's fields are looked for."""
+    from freecad.featuremesh.gui import freecad_widget, wheel
+    field, gone, form = freecad_widget.made("Gui::QuantitySpinBox"), mock.Mock(), mock.Mock()
+    gone.objectName.side_effect = RuntimeError("Internal C++ object already deleted.")
+    form.findChildren.side_effect = lambda kind: [gone, field] if kind is QtGui.QAbstractSpinBox else []
+    freecad_widget.silence(form)
+    assert field.signalsBlocked() and not gone.blockSignals.called
+    panel_form = QtGui.QWidget()
+    field.setParent(panel_form)
+    field.setFocusPolicy(QtCore.Qt.WheelFocus)
+    wheel.scrolls(panel_form)
+    assert field.focusPolicy() == QtCore.Qt.StrongFocus
+
+
 def count_in(document, schema):
     """FreeCAD's number of a unit scheme; since 1.0 each document has its own, too."""
     if hasattr(document, "UnitSystem"):
@@ -286,6 +301,7 @@ def drive():
     check_cut()
     check_typed_lengths(mesh)
     check_field_of_before()
+    check_widgets_of_before()
     count_in(document, 3)   # inches with decimals
     check_dimensions()
     check_difference(body, path)

@@ -39,7 +39,18 @@ def _show_what_was_read(field):
         field.blockSignals(was_blocked)
 
 
+def widgets_in(form, *kinds):
+    """Those of these classes; what Python takes for one that is gone (see `made`) is left out."""
+    for kind in kinds:
+        for widget in form.findChildren(kind):
+            try:
+                widget.objectName()
+            except RuntimeError:
+                continue
+            yield widget
+
+
 def silence(form):
     """Before what a form changes is deleted: a field in which somebody still types tells of its value when the form closes."""
-    for widget in form.findChildren(QtGui.QWidget):
+    for widget in widgets_in(form, QtGui.QAbstractSpinBox, QtGui.QLineEdit, QtGui.QComboBox, QtGui.QAbstractButton, QtGui.QAbstractItemView):
         widget.blockSignals(True)

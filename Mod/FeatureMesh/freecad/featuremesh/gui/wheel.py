@@ -3,17 +3,16 @@
 
 from PySide import QtCore, QtGui
 
-_TAKE_IT = ("QAbstractSpinBox", "QComboBox", "QSlider")
+from .freecad_widget import widgets_in
 
 
 def scrolls(form):
     """To be called when all widgets of the panel are there. Returns what gives one of them the keyboard."""
     keeper = _Keeper(form)
-    for widget in form.findChildren(QtCore.QObject):
-        if any(widget.inherits(kind) for kind in _TAKE_IT):
-            widget.setFocusPolicy(QtCore.Qt.StrongFocus)   # with Qt's own a turn of the wheel is as good as a click
-            for part in (widget, *widget.findChildren(QtGui.QLineEdit)):
-                part.installEventFilter(keeper)
+    for widget in widgets_in(form, QtGui.QAbstractSpinBox, QtGui.QComboBox, QtGui.QSlider):
+        widget.setFocusPolicy(QtCore.Qt.StrongFocus)   # with Qt's own a turn of the wheel is as good as a click
+        for part in (widget, *widgets_in(widget, QtGui.QLineEdit)):
+            part.installEventFilter(keeper)
     return keeper
 
 
