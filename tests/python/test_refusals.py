@@ -119,7 +119,6 @@ class Parts(unittest.TestCase):
         for size in ("0.3 cm", 3, "3"):
             self.assertEqual(api.add_mesh(box, FreeCAD.Units.Quantity(size)).Size.Value, 3)
 
-
     def test_nothing_is_left_behind(self):
         container, box = self.document.addObject("App::Part", "Container"), self.document.addObject("Part::Box", "Inside")
         container.addObject(box)
@@ -127,7 +126,7 @@ class Parts(unittest.TestCase):
         self.refused("not -1", container, -1)
         count = len(self.document.Objects)
         with self.assertRaises(TypeError):
-            api.add_mesh(box, 3, threads="all")
+            api.add_mesh(box, 3, automatic="yes")
         self.assertEqual(len(self.document.Objects), count)
 
     def test_a_number_that_is_none_is_called_so(self):
@@ -196,11 +195,31 @@ class OfAMesh(unittest.TestCase):
 
     def test_references(self):
         for words, references in (("not of Body:Face99", [(self.body, "Face99")]), ("not of Body:Face0", [(self.body, "Face0")]), ("not of Body:Lid", [(self.body, "Lid")]),
-                                  ("a reference is an object and a name", ["Face1"]), ("a reference is an object and a name", [(self.body, ["Face1"])]),
-                                  ("None is no object of a document", [(None, "Face1")])):
+                                  ("not of Body:Face99", "Face99"), ("not of Body:Face99", [(self.body, ("Face1", "Face99"))]),
+                                  ("a reference is an object and a name.*not 5", 5), ("a reference is an object and a name.*not 5", ["Face1", (self.body, 5)]),
+                                  ("select .*faces, edges or vertices of Body", []), ("None is no object of a document", [(None, "Face1")])):
             for function, kind in ((api.add_local_size, ()), (api.add_group, ()), (api.add_size_zone, ("Distance",))):
                 with self.subTest(words=words, function=function.__name__):
                     self.refused(words, function, self.mesh, *kind, references)
+
+    def test_all_forms_of_references_that_mean_the_same(self):
+        load = ObjectsFem.makeConstraintForce(self.document)
+        load.References = [(self.body, ("Face1", "Face2"))]
+        for references in (["Face1", "Face2"], ("Face1", "Face2"), [(self.body, "Face1"), (self.body, "Face2")], (self.body, ["Face1", "Face2"]), load.References):
+            with self.subTest(references=str(references)):
+                self.assertEqual(list(api.add_local_size(self.mesh, references).References), [(self.body, ("Face1", "Face2"))])
+        for references in ("Face1", (self.body, "Face1")):
+            self.assertEqual(list(api.add_group(self.mesh, references).References), [(self.body, ("Face1",))])
+        for references in (self.body, (self.body, ""), "Solid1"):
+            self.assertEqual(list(api.add_group(self.mesh, references).References), [(self.body, ("Solid1",))])
+
+    def test_threads(self):
+        for wrong in (-1, "2", None, 1.5):
+            self.refused("the number of threads is a whole number", api.add_mesh, self.body, 4, 2, wrong)
+
+    def test_one_edit_alone(self):
+        api.set_parameters(self.document, "Plate.Length=8")
+        self.assertEqual(self.document.Plate.Length.Value, 8)
 
     def test_sizes_of_refinements(self):
         for wrong, words in ((0, "greater than 0 mm, not 0"), (-1, "greater than 0 mm, not -1"), (float("nan"), "not nan"), ("x", "x is no length")):

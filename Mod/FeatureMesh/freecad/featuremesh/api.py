@@ -20,7 +20,7 @@ from .errors import NotSelected, StateError, UserError
 from .messages import of_error, said
 from .mesh_object import FeatureMesh, is_feature_mesh, options_of, refuse_other
 from .mesh_properties import DIMENSIONS, FROM_SHAPE
-from .refusals import all_or_nothing, finite_length, length_of, measure_of, part_to_mesh, refuse_no_document, refuse_no_references, refuse_no_size
+from .refusals import all_or_nothing, finite_length, length_of, measure_of, pairs_given, part_to_mesh, refuse_no_document, refuse_no_size
 from .reports import plain
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -43,6 +43,8 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
     reading.refuse_gone(part)
     if order not in (1, 2):
         raise UserError(said("the order is 1 (4-node) or 2 (10-node), not {order:text}", order=str(order)))
+    if not isinstance(threads, int) or threads < 0:
+        raise UserError(said("the number of threads is a whole number, 0 for all that the machine has, not {threads:text}", threads=str(threads)))
     if dimension not in DIMENSIONS:
         raise UserError(said("the dimension is one of {dimensions:text}, not {dimension:text}", dimensions=", ".join(DIMENSIONS), dimension=str(dimension)))
     with all_or_nothing(part.Document):
@@ -174,7 +176,7 @@ def recompute(document):
 def set_parameters(document, assignments):
     """Applies edits such as "Pad.Length=12" or "Sketch.HoleX=30"; does not recompute. Throws UserError."""
     refuse_no_document(document)
-    for assignment in assignments:
+    for assignment in [assignments] if isinstance(assignments, str) else assignments:
         edits.set_parameter(document, assignment)
 
 
@@ -240,8 +242,8 @@ def estimated_tets(raw, options):
 def add_local_size(mesh, references, size=None):
     """Adds an FEM mesh refinement: `size` (mm, by default half the mesh size) on faces, edges or vertices of the part.
 
-    `references` are (object, "Face3") pairs as a script or a selection has them: of the part, of a feature of it, or through a link or
-    container; None for none yet. Throws UserError when there are none, or when they are not on the part.
+    `references` are names of the part, such as "Face3", or (object, "Face3") pairs as a selection or the References of another object have them: of the part,
+    of a feature of it, or through a link or container; None for none yet. Throws UserError when there are none, or when they are not on the part.
     """
     names = _refined_names(mesh, references)
     region = ObjectsFem.makeMeshRegion(mesh.Document, mesh, _size_of(mesh, size))
@@ -331,6 +333,7 @@ def show_plain(mesh):
 def export_mesh(mesh, path, file_format=None):
     """Writes the mesh with its groups as one of export.FORMATS (by default what the file's name says). Returns the number of groups."""
     refuse_other(mesh)
+    path = os.fsdecode(path)
     return export.write(mesh, path, file_format or os.path.splitext(path)[1].lstrip("."))
 
 
@@ -503,6 +506,7 @@ def find_mesh(document, part_name=None):
 
 def default_size(part, elements=DEFAULT_ELEMENTS):
     """A sensible edge length for a part: its diagonal over `elements`, rounded to two digits, mm."""
+    reading.refuse_gone(part)
     if not elements > 0:
         raise UserError(said("the number of elements along the part has to be greater than 0, not {elements:text}", elements=str(elements)))
     size = part.Shape.BoundBox.DiagonalLength / elements
@@ -526,16 +530,16 @@ def plane_of(cut):
 
 
 def _names_on_part(mesh, references, request):
-    """Names of what (object, name) pairs mean on the part. Throws UserError with the request when there are none, or for what is not on the part."""
+    """Names of what references (see refusals.pairs_given) mean on the part. Throws UserError with the request when there are none, or for what is not on the part."""
     refuse_other(mesh)
     part = part_to_mesh(mesh)
     if references is None:
         return []
-    refuse_no_references(references)
     resolver = resolving.Resolver(part)
-    meant = [(obj, sub, [name for name in resolver.names(obj, sub) or [] if resolving.is_element_of(part.Shape, name)]) for obj, sub in references]
+    meant = [(obj, sub, [name for name in resolver.names(obj, sub) or [] if resolving.is_element_of(part.Shape, name)])
+             for obj, sub in pairs_given(references, part)]
     foreign = [resolving.describe(obj, sub) for obj, sub, names in meant if not names]
-    if not references or foreign:
+    if not meant or foreign:
         raise UserError(said(request, part=reading.describe(part), foreign=said(", not of {foreign:text}", foreign=foreign[0]) if foreign else ""))
     return list(dict.fromkeys(name for _, _, names in meant for name in names))
 

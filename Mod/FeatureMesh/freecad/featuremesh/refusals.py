@@ -43,12 +43,28 @@ def part_to_mesh(mesh):
     return part
 
 
-def refuse_no_references(references):
-    """Throws UserError for what are no (object, "Face3") pairs."""
-    for pair in references:
-        if not (isinstance(pair, (tuple, list)) and len(pair) == 2 and isinstance(pair[1], str)):
-            raise UserError(said('a reference is an object and a name, such as (part, "Face3"), not {reference:text}', reference=str(pair)))
-        refuse_gone(pair[0])
+def pairs_given(references, part):
+    """(object, name) pairs of what a script gives: a name of the part or an object, such a pair, one with several names as FreeCAD's own References have
+    them, or a list of any of these. Throws UserError."""
+    if isinstance(references, list) or isinstance(references, tuple) and not _is_pair(references):
+        return [pair for reference in references for pair in pairs_given(reference, part)]
+    if isinstance(references, FreeCAD.DocumentObject):
+        return [(references, "")]
+    if isinstance(references, str):
+        return [(part, references)]
+    if not _is_pair(references):
+        raise UserError(said('a reference is an object and a name, such as (part, "Face3"), not {reference:text}', reference=str(references)))
+    obj, names = references
+    refuse_gone(obj)
+    return [(obj, name) for name in ([names] if isinstance(names, str) else names)]
+
+
+def _is_pair(reference):
+    """An object and a name, or several: names alone are none."""
+    if not isinstance(reference, tuple) or len(reference) != 2 or isinstance(reference[0], (str, tuple, list)):
+        return False
+    names = reference[1]
+    return isinstance(names, str) or isinstance(names, (tuple, list)) and all(isinstance(name, str) for name in names)
 
 
 def length_of(value):

@@ -1357,6 +1357,10 @@
       <translation>der Speicher reichte nicht</translation>
     </message>
     <message>
+      <source>the number of threads is a whole number, 0 for all that the machine has, not {threads:text}</source>
+      <translation>die Anzahl der Threads ist eine ganze Zahl, 0 für alle, die der Rechner hat, nicht {threads:text}</translation>
+    </message>
+    <message>
       <source>the order of the elements is 1 or 2, not {order:count}</source>
       <translation>die Ordnung der Elemente ist 1 oder 2, nicht {order:count}</translation>
     </message>
