@@ -91,12 +91,16 @@ class PlainLocations {
         return known->second;
     }
     TopLoc_Location read_chain(std::istream& in) const {
-        TopLoc_Location chain;
-        for (int number = 0, power = 0;; chain = (*this)[static_cast<std::size_t>(number)].Powered(power) * chain) {
+        std::vector<TopLoc_Location> steps;
+        for (int number = 0, power = 0;;) {
             BinTools::GetInteger(in, number);
-            if (number == 0 || !in) return chain;
+            if (number == 0 || !in) break;
             BinTools::GetInteger(in, power);
+            steps.push_back((*this)[static_cast<std::size_t>(number)].Powered(power));
         }
+        TopLoc_Location chain;  // from its end: the kernel copies the right factor of a product, step by step
+        for (auto step = steps.rbegin(); step != steps.rend(); ++step) chain = chain * *step;
+        return chain;
     }
 
     std::vector<TopLoc_Location> plain_{TopLoc_Location()};  // by number in the list

@@ -363,7 +363,7 @@ double area_of_boundary(const Brep& brep) {
 
 }  // namespace
 
-double estimate_tets(const Brep& brep, const SizingField& sizing, const RunContext& context) {
+double estimate_tets(const Brep& brep, const SizingField& sizing, const RunContext& context, double few) {
     const double size = sizing.largest(), squares = area_of_boundary(brep) / (size * size);
     const double uniform = std::max(tets_per_cube * brep.volume() / (size * size * size) - fewer_per_square * squares,
                                     least_per_square * squares);
@@ -372,6 +372,8 @@ double estimate_tets(const Brep& brep, const SizingField& sizing, const RunConte
         const std::vector<Cell> cells = CellCollector(brep.box(), sizing, context).collect();
         double extra = 0;
         for (const Cell& cell : cells) extra += cell.extra;
+        const double if_all_inside = uniform + of_finer * tets_per_cube * extra;
+        if (if_all_inside <= few) return if_all_inside;
         if (extra > 0) finer = extra * share_inside(brep, cells, extra, context);
     }
     return uniform + of_finer * tets_per_cube * finer;
@@ -416,8 +418,8 @@ double estimate_segments(const TopoDS_Edge& edge, const SizingField& sizing) {
 
 }  // namespace
 
-double estimate_elements(const Brep& brep, const SizingField& sizing, const RunContext& context) {
-    double sum = brep.solid_count() > 0 ? estimate_tets(brep, sizing, context) : 0;
+double estimate_elements(const Brep& brep, const SizingField& sizing, const RunContext& context, double few) {
+    double sum = brep.solid_count() > 0 ? estimate_tets(brep, sizing, context, few) : 0;
     for (std::size_t f = 0; f < brep.face_count(); ++f)
         if (brep.is_free(FaceId(f))) sum += estimate_triangles(brep.face(FaceId(f)), sizing);
     for (std::size_t e = 0; e < brep.edge_count(); ++e)

@@ -77,9 +77,10 @@ SizeSource shorter_than_asked(const SizingField& field, SizeSource source);
 
 /// False where the field asks for at most `most` tets in all of the part's box, which few looks at it mostly tell.
 bool may_ask_for_more_tets(const Brep& brep, const SizingField& sizing, double most);
-/// About how many tets the field asks for in the part (used to refuse more than 50 million, and by the task panel).
-double estimate_tets(const Brep& brep, const SizingField& sizing, const RunContext& context = {});
+/// About how many tets the field asks for in the part (used to refuse more than 50 million, and by the task panel). Up
+/// to `few` it may be a number that is too large, which takes no look at the shape.
+double estimate_tets(const Brep& brep, const SizingField& sizing, const RunContext& context = {}, double few = 0);
 /// The same of what the part is meshed with: tets, or triangles, or segments.
-double estimate_elements(const Brep& brep, const SizingField& sizing, const RunContext& context = {});
+double estimate_elements(const Brep& brep, const SizingField& sizing, const RunContext& context = {}, double few = 0);
 
 }  // namespace featuremesh

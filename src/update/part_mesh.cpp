@@ -69,7 +69,7 @@ std::variant<std::monostate, SizeZone, LocalSize> refinement_to_blame(const Brep
 /// What is wrong with so many tets, if there are too many.
 Message if_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options, RunContext& context) {
     if (brep.dimension() == Dimension::solids && !may_ask_for_more_tets(brep, sizing, options.most_tets)) return {};
-    const double tets = estimate_elements(brep, sizing, context);
+    const double tets = estimate_elements(brep, sizing, context, options.most_tets);
     if (tets <= options.most_tets) return {};
     const auto millions = [](double count) { return count < 1e18 ? std::llround(count / 1e6) : 1'000'000'000'000; };
     const auto refinement = refinement_to_blame(brep, options.sizing, tets, context);
