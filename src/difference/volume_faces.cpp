@@ -83,12 +83,12 @@ std::vector<SurfacePoint> points_in_trim(const TopoDS_Face& face) {
     return inside;
 }
 
-VolumeFaces::VolumeFaces(const FeatureTree& tree) {
+VolumeFaces::VolumeFaces(const FeatureTree& tree) : of_feature_(tree.features.size()) {
     for (std::size_t f = 0; f < tree.features.size(); ++f)
         for (std::size_t v = 0; v < tree.features[f].volumes.size(); ++v)
             for (TopExp_Explorer it(tree.features[f].volumes[v].shape, TopAbs_FACE); it.More(); it.Next()) {
                 const TopoDS_Face& face = TopoDS::Face(it.Current());
-                faces_.push_back({{FeatureId(f), int(v)}, underlying_of(face), FaceProbe(face)});
+                of_feature_[f].push_back({{FeatureId(f), int(v)}, underlying_of(face), FaceProbe(face)});
             }
 }
 
@@ -96,24 +96,25 @@ std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face, const B
                                           std::span<const char> is_wanted) const {
     const UnderlyingSurface underlying = underlying_of(final_face);
     const Sameness sameness{boolean_tolerance, box.center(), 0.5 * box.diagonal()};
-    const auto is_asked_for = [&](const OwnedFace& face) { return is_wanted[face.owner.feature.index()] != 0; };
     // underlying surfaces first: only of those on the same one are the boxes made
     const auto is_candidate = [&](const OwnedFace& face) {
         return same_underlying(face.underlying, underlying, sameness) && face.probe.box().overlaps(box);
     };
-    if (std::none_of(faces_.begin(), faces_.end(),
-                     [&](const OwnedFace& face) { return is_asked_for(face) && is_candidate(face); }))
-        return {};
+    bool has_wanted = false;
+    for (std::size_t f = 0; f < of_feature_.size() && !has_wanted; ++f)
+        has_wanted = is_wanted[f] && std::any_of(of_feature_[f].begin(), of_feature_[f].end(), is_candidate);
+    if (!has_wanted) return {};
     std::vector<const OwnedFace*> candidates;
-    for (const OwnedFace& face : faces_)
-        if (is_candidate(face)) candidates.push_back(&face);
+    for (const std::vector<OwnedFace>& faces : of_feature_)
+        for (const OwnedFace& face : faces)
+            if (is_candidate(face)) candidates.push_back(&face);
     if (std::all_of(candidates.begin(), candidates.end(),
                     [&](const OwnedFace* face) { return face->owner == candidates.front()->owner; }))
         return {candidates.front()->owner};  // nobody else can have made the face
     SpreadPoints points(final_face);
     std::vector<Owner> owners;
     for (const OwnedFace* face : candidates)
-        if (is_asked_for(*face) && (owners.empty() || owners.back() != face->owner) &&
+        if (is_wanted[face->owner.feature.index()] && (owners.empty() || owners.back() != face->owner) &&
             holds_any(face->probe, underlying.kind, points))
             owners.push_back(face->owner);
     return owners;

@@ -37,7 +37,7 @@ class VolumeFaces {
         UnderlyingSurface underlying;
         FaceProbe probe;
     };
-    std::vector<OwnedFace> faces_;  // by owner
+    std::vector<std::vector<OwnedFace>> of_feature_;  // by owner
 };
 
 }  // namespace featuremesh
