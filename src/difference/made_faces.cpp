@@ -159,17 +159,29 @@ const std::vector<int>& MadeFaces::made(FaceId final_face) const {
     const UnderlyingSurface underlying = underlying_of(face);
     const Sameness sameness{boolean_tolerance, box.center(), 0.5 * box.diagonal()};
     const std::vector<Vec3> points = points_over(face);
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-        const MadeFace& made = faces_[f];
-        if (!made.probe.box().grown(boolean_tolerance).overlaps(box) ||
-            !same_underlying(made.underlying, underlying, sameness))
-            continue;
+    for (const int f : faces_near(box)) {
+        const MadeFace& made = faces_[std::size_t(f)];
+        if (!same_underlying(made.underlying, underlying, sameness)) continue;
         const auto on_it = std::find_if(points.begin(), points.end(),
                                         [&](const Vec3& p) { return made.probe.contains(p, boolean_tolerance); });
-        if (on_it != points.end() && bounds_the_same_way(made, final_face, *on_it)) known->push_back(int(f));
+        if (on_it != points.end() && bounds_the_same_way(made, final_face, *on_it)) known->push_back(f);
     }
     if (state_.brep.solid_count() > 1) keep_those_with_bounds(box, *known);
     return *known;
+}
+
+/// Those whose boxes overlap it, in order.
+std::vector<int> MadeFaces::faces_near(const Box& box) const {
+    if (!by_place_) {
+        std::vector<Box> boxes;
+        for (const MadeFace& face : faces_) boxes.push_back(face.probe.box().grown(boolean_tolerance));
+        by_place_.emplace(boxes);
+    }
+    std::vector<int> near;
+    by_place_->visit_where([&](const Box& of_face) { return of_face.overlaps(box); },
+                           [&](std::int32_t f) { near.push_back(f); });
+    std::sort(near.begin(), near.end());
+    return near;
 }
 
 // Of solids that overlap with faces in one plane each has its own there, which the other one has nothing to do with.

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "brep/face_probe.h"
+#include "core/box_tree.h"
 #include "core/geometry.h"
 #include "core/ids.h"
 #include "difference/feature_difference.h"
@@ -84,6 +85,7 @@ class MadeFaces {
   private:
     std::vector<PlacedElement> elements_of(FeatureId feature, const RigidMotion& motion) const;
     void take_volume(FeatureId feature, const FeatureVolume& volume, int& number);
+    std::vector<int> faces_near(const Box& box) const;
     bool bounds_the_same_way(const MadeFace& made, FaceId final_face, const Vec3& p) const;
     void keep_those_with_bounds(const Box& box, std::vector<int>& made) const;
     void find_elements(FeatureId feature);
@@ -95,6 +97,7 @@ class MadeFaces {
     std::vector<MadePiece> pieces_;
     std::vector<std::vector<int>> pieces_of_;                      // by FeatureId
     mutable std::vector<std::unique_ptr<std::vector<int>>> made_;  // by FaceId
+    mutable std::optional<BoxTree> by_place_;                      // of faces_, made when it is asked for
 };
 
 /// The box of a face where a motion takes it.
