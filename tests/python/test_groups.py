@@ -45,6 +45,17 @@ class GroupsFollow(MeshedPlate):
         self.document.abortTransaction()
         self.assertEqual(self.places("Fixed_Nodes"), {0})
 
+    def test_groups_that_are_right_stay(self):
+        """Thousands of them, of a load on many faces, were made anew with each face that was clicked."""
+        fem_mesh = self.mesh.FemMesh
+        before = {group: fem_mesh.getGroupName(group) for group in fem_mesh.Groups}
+        api.add_group(self.mesh, [(self.body, self.left)], name="Left")
+        after = {group: fem_mesh.getGroupName(group) for group in fem_mesh.Groups}
+        self.assertEqual({**after, **before}, after)
+        self.assertEqual(set(after.values()) - set(before.values()), {"Left", "Left_Nodes"})
+        self.document.removeObject("Left")
+        self.assertEqual({group: fem_mesh.getGroupName(group) for group in fem_mesh.Groups}, before)
+
     def test_a_deleted_support_comes_back(self):
         self.step(lambda: self.document.removeObject("Fixed"))
         self.assertIsNone(self.places("Fixed_Nodes"))
