@@ -308,6 +308,16 @@ TEST_CASE("the estimate follows the volume and the field") {
     CHECK(per_cube < 10.5);
 }
 
+TEST_CASE("an estimate of few tets may be too large, as if all of the box were inside") {
+    const Brep brep(BRepPrimAPI_MakeCylinder(20, 20).Shape());
+    SizingOptions options = of_size(4);
+    for (std::size_t f = 0; f < brep.face_count(); ++f) options.local.push_back({entity_of(FaceId(f)), 1});
+    const SizingField graded = sizing_of(brep, options);
+    const double tets = estimate_tets(brep, graded);
+    CHECK(estimate_tets(brep, graded, {}, tets) == tets);
+    CHECK(estimate_tets(brep, graded, {}, 10 * tets) > 1.05 * tets);
+}
+
 TEST_CASE("few looks tell that a field does not ask for too much") {
     const Brep brep = block();
     SizingOptions options = of_size(4);
