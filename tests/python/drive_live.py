@@ -504,11 +504,12 @@ def check_another_of_its_name(document, analysis):
 
 
 def check_result_deleted(document, live):
-    """FEM's mesh of the result, then the result itself, is deleted, another one is made by an edit, and both are undone: there is one of each."""
+    """FEM's mesh of the result, then the result itself, is deleted, another one is made by an edit, and both are undone: one of each is seen in the tree, and redo and undo
+    come back to them."""
     from freecad.featuremesh.gui import live_runner
 
     def there():
-        return sorted(obj.TypeId for obj in document.Objects if obj.Name.startswith(("LiveResult", "ResultMesh")))
+        return sorted(obj.TypeId for obj in document.Objects if obj.Name.startswith(("LiveResult", "ResultMesh")) and obj.ViewObject.ShowInTree)
 
     def edit(length):
         document.openTransaction("Edit")
@@ -532,6 +533,12 @@ def check_result_deleted(document, live):
         assert there() == wanted, there()
         for step in range(2):
             Gui.runCommand("Std_Undo")
+            spin()
+        spin(1)
+        wait_for(is_solved, 60)
+        assert there() == wanted and live.Result is not None and live.Result.Mesh is not None, there()
+        for command in 2 * ["Std_Redo"] + 2 * ["Std_Undo"]:
+            Gui.runCommand(command)
             spin()
         spin(1)
         wait_for(is_solved, 60)

@@ -478,6 +478,52 @@ class Live(Case):
         self.assertEqual([obj for obj in self.document.Objects if obj.isDerivedFrom("Fem::FemResultObject")], [result])
         self.check_is_fresh(analysis, self.document.Live)
 
+    def test_a_result_that_undo_brings_back_stays_for_redo(self):
+        """Another one was made meanwhile, outside of any step of undo, as the window does."""
+        self.document.UndoMode = 1
+        part, analysis, live = self.cantilever()
+        first = live.Result.Name
+        self.step("Delete", lambda: self.document.removeObject(first))
+        api.solve_live(live)
+        second = live.Result.Name
+        self.assertNotEqual(first, second)
+        for again in range(2):
+            self.document.undo()
+            self.assertEqual((self.document.RedoNames, self.document.HasPendingTransaction), (["Delete"], False))
+            self.check_results(analysis, live, first, [first, second])
+            self.document.redo()
+            self.check_results(analysis, live, second, [second])
+        self.document.undo()
+        api.solve_live(live)
+        self.check_results(analysis, live, first, [first, second])
+        self.step("Delete", lambda: self.document.removeObject(first))
+        api.solve_live(live)
+        self.check_results(analysis, live, second, [second])   # what was left over is used again
+        self.check_is_fresh(analysis, live)
+
+    def check_results(self, analysis, live, name, there):
+        self.assertEqual(sorted(obj.Name for obj in self.document.Objects if obj.isDerivedFrom("Fem::FemResultObject")), there)
+        self.assertEqual([member.Name for member in analysis.Group if member.isDerivedFrom("Fem::FemResultObject")], [name])
+        self.assertEqual(live.Result.Name, name)
+
+    def test_a_step_that_is_cancelled_takes_no_mesh_of_a_deleted_result_away(self):
+        self.document.UndoMode = 1
+        part, analysis, live = self.cantilever()
+        first, mesh = live.Result.Name, live.Result.Mesh.Name
+        self.step("Delete", lambda: self.document.removeObject(first))
+        self.document.openTransaction("Label")
+        part.Label = "Other"
+        self.document.abortTransaction()
+        self.assertIsNotNone(self.document.getObject(mesh))
+        self.document.undo()
+        self.assertIs(self.document.getObject(first).Mesh, self.document.getObject(mesh))
+        self.check_is_fresh(analysis, live)
+
+    def step(self, name, work):
+        self.document.openTransaction(name)
+        work()
+        self.document.commitTransaction()
+
 
 if __name__ == "__main__":
     unittest.main()

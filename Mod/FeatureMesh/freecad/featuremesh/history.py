@@ -5,6 +5,8 @@ FreeCAD's undo does not bring back an old FemMesh, but it does bring back the sa
 groups by which a solver finds the nodes of constraints are renewed when the references of a constraint change.
 """
 
+import itertools
+
 import FreeCAD
 
 from . import analyses, assembled, hand_over, recompute_errors, references, results, size_zone, versions
@@ -41,6 +43,13 @@ def settle(obj):
 def deleted_of(document):
     """Names of objects that were deleted from the document while it was open."""
     return _deleted.get(document.Name, set())
+
+
+def new_name(document, wanted):
+    """A name like that for an object that is made outside of any step of undo: no object has it, nor had one that undo may bring back. FreeCAD would give both the
+    same name, and crash when one of them is deleted."""
+    names = itertools.chain([wanted], (wanted + "%03d" % number for number in itertools.count(1)))
+    return next(name for name in names if document.getObject(name) is None and name not in deleted_of(document))
 
 
 def edited_of(document, objects):

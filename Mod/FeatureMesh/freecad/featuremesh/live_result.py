@@ -376,7 +376,8 @@ class _Observer:
 
     def slotUndoDocument(self, document):
         self._keep_results(document)
-        statics_result.remove_left_over(document)
+        statics_result.set_aside_left_over(document)
+        _take_results(document)
         _solve_again(document)
 
     slotRedoDocument = slotAbortTransaction = slotUndoDocument
@@ -399,6 +400,15 @@ class _Observer:
             if obj.Proxy.solution is not None:
                 key = obj.Proxy.key(obj)
                 threading.Thread(target=lambda: engine.load().forget_statics(key), daemon=True).start()   # it may wait for a solution under way
+
+
+def _take_results(document):
+    """Undo gives a live result the result object that it had; another one may be in its place now."""
+    for live in filter(is_live_result, document.Objects):
+        analysis = live.Proxy.analysis(live)
+        result = statics_result.of_analysis(analysis) if analysis is not None else None
+        if result is not None and result is not live.Result:
+            live.Result, live.Proxy.of_state = result, ""
 
 
 def _solve_again(document):

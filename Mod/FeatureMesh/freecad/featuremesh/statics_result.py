@@ -6,7 +6,7 @@ import numpy as np
 import ObjectsFem
 from femtools import femutils
 
-from . import hand_over, results
+from . import hand_over, history, results
 from .given_mesh import give
 from .proxies import HIDDEN, NO_TOUCH
 
@@ -23,15 +23,18 @@ def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
     `same_mesh` the object has the mesh of the arrays already.
     """
     document = analysis.Document
-    result = next((member for member in analysis.Group if member.isDerivedFrom("Fem::FemResultObject") and member.Name.startswith(name)), None)
+    result = of_analysis(analysis, name)
     if result is None or result.Mesh is None:
         same_mesh = False
     if result is None:
-        result = _note_made(ObjectsFem.makeResultMechanical(document, name), analysis)
+        result = _left_over(analysis, name) or _note_made(ObjectsFem.makeResultMechanical(document, history.new_name(document, name)), analysis)
+        _set_in_tree(result, True)
         analysis.addObject(result)
     if result.Mesh is None:
         left = [obj for obj in document.Objects if not obj.InList and femutils.is_of_type(obj, "Fem::MeshResult")]   # of a result that was deleted
-        result.Mesh = left[0] if left else _note_made(ObjectsFem.makeMeshResult(document, "ResultMesh"), analysis)
+        left.sort(key=_is_in_tree, reverse=True)
+        result.Mesh = left[0] if left else _note_made(ObjectsFem.makeMeshResult(document, history.new_name(document, "ResultMesh")), analysis)
+        _set_in_tree(result.Mesh, True)
         if result.Mesh.ViewObject is not None:
             result.Mesh.ViewObject.Visibility = False   # FEM's result panel shows it
     if not same_mesh:
@@ -50,18 +53,44 @@ def put_mesh(result, arrays):
     give(result.Mesh, result_mesh(arrays), hand_over.skin(result.Mesh, by_row))
 
 
-def remove_left_over(document):
-    """Undo may give back a result, or the mesh of one, in whose place another one was made meanwhile; what is of no use then is removed. Any other result goes back
-    into its analysis: redo gives that the members that it had, and FreeCAD crashes where one of them is no more."""
-    for result in [obj for obj in _made_in(document) if not obj.InList and obj.isDerivedFrom("Fem::FemResultObject")]:
+def set_aside_left_over(document):
+    """Undo may give back a result, or the mesh of one, in whose place another one was made meanwhile: the tree does not show it, and the next result that is to
+    be made is that one. It is not deleted: nothing that happens while FreeCAD tells of an undo or of a step that was cancelled belongs to a step, and what
+    redo or undo comes back to would be no more. Any other result goes back into its analysis, as redo gives that the members that it had."""
+    left = []
+    for result in filter(_is_result, _made_in(document)):
         analysis = document.getObject(_made[document.Name, result.Name])
-        if analysis is not None and any(NODES in member.PropertiesList for member in analysis.Group):
-            document.removeObject(result.Name)
-        elif analysis is not None:
+        if result.InList or analysis is None:
+            continue
+        if of_analysis(analysis, result.Name.rstrip("0123456789")) is None:
             analysis.addObject(result)
-    for mesh in _made_in(document):   # of removed results, too
-        if not mesh.InList and mesh.isDerivedFrom("Fem::FemMeshObject"):
-            document.removeObject(mesh.Name)
+        else:
+            left.append(result)
+    left += [mesh for mesh in _made_in(document) if mesh.isDerivedFrom("Fem::FemMeshObject") and set(mesh.InList) <= set(left)]
+    for obj in _made_in(document):
+        _set_in_tree(obj, obj not in left)
+
+
+def _left_over(analysis, name):
+    """A result of the analysis, of that name, that was set aside, or None."""
+    document = analysis.Document
+    return next((result for result in filter(_is_result, _made_in(document))
+                 if result.Name.startswith(name) and not result.InList and _made[document.Name, result.Name] == analysis.Name), None)
+
+
+def _is_result(obj):
+    return obj.isDerivedFrom("Fem::FemResultObject")
+
+
+def _is_in_tree(obj):
+    return obj.ViewObject is None or obj.ViewObject.ShowInTree
+
+
+def _set_in_tree(obj, is_shown):
+    """What the tree does not show is not seen either."""
+    if _is_in_tree(obj) != is_shown and obj.ViewObject is not None:
+        obj.ViewObject.ShowInTree = is_shown
+        obj.ViewObject.Visibility = False
 
 
 def _note_made(obj, analysis):
@@ -79,6 +108,11 @@ def _note_nodes(result, numbers):
         result.addProperty("App::PropertyFloatList", NODES, "FeatureMesh", "The mesh's numbers of the nodes", NO_TOUCH)
         result.setEditorMode(NODES, HIDDEN)
     setattr(result, NODES, numbers.astype(float).tolist())
+
+
+def of_analysis(analysis, name="LiveResult"):
+    """The result object of that name in an analysis, None where it has none."""
+    return next((member for member in analysis.Group if _is_result(member) and member.Name.startswith(name)), None)
 
 
 def last_displacements(analysis):
