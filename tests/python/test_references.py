@@ -8,10 +8,14 @@ from unittest import mock
 
 import FreeCAD
 import ObjectsFem
-from freecad.featuremesh import api, assembled, mesh_object, resolving, solve_guard
+import Part
+from analyses import quantity
+from BOPTools import SplitFeatures
+from freecad.featuremesh import api, assembled, mesh_object, resolving, solve_guard, statics_model
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
-from parts import groups_of, new_document, placement
+from parts import groups_of, new_document, placement, plate_with_hole, rectangle
+from statics_cases import STEEL, faces_at
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples")
 
@@ -28,6 +32,103 @@ def open_example(case, name):
 def names_of(obj):
     """The (object name, sub-element) pairs of its references."""
     return [(target.Name, sub) for target, sub in resolving.pairs_of(obj)]
+
+
+class FragmentsOfBoxes(unittest.TestCase):
+    """What is between two solids, or of free form, is named by what the part is made of."""
+
+    def setUp(self):
+        self.document = new_document()
+        self.left, self.right = (self.document.addObject("Part::Box", name) for name in ("Left", "Right"))
+        self.right.Placement.Base.x = 10
+        self.document.recompute()
+
+    def fragments_of(self, *objects):
+        fragments = SplitFeatures.makeBooleanFragments("Fragments")
+        fragments.Objects = list(objects)
+        self.document.recompute()
+        return fragments
+
+    def loaded(self, part, references):
+        """An analysis of the meshed part with a force on these references, held at the end x = 0."""
+        analysis = ObjectsFem.makeAnalysis(self.document, "Analysis")
+        force, fixed, steel = ObjectsFem.makeConstraintForce(self.document, "Force"), ObjectsFem.makeConstraintFixed(self.document, "Fixed"), \
+            ObjectsFem.makeMaterialSolid(self.document, "Steel")
+        steel.Material = STEEL
+        fixed.References = [(part, faces_at(part, 0, 0))]
+        force.Force, force.References = quantity(100.0, "N"), references
+        for member in (force, fixed, steel):
+            analysis.addObject(member)
+        self.document.recompute()
+        before = FreeCAD.Vector(force.DirectionVector)
+        mesh = api.add_mesh(part, 4.0, order=1)
+        self.document.recompute()
+        return analysis, mesh, force, before
+
+    def test_a_force_on_a_face_between_solids_keeps_its_direction(self):
+        for objects in ((self.left, self.right), (self.right, self.left)):
+            for box, face in ((self.left, "Face2"), (self.right, "Face1")):
+                part = self.fragments_of(*objects)
+                between, = faces_at(part, 0, 10)
+                self.assertEqual(resolving.Resolver(part).names(box, face), [between])
+                _, _, force, before = self.loaded(part, [(box, face)])
+                self.assertEqual(names_of(force), [(part.Name, between)])
+                self.assertLess((force.DirectionVector - before).Length, 1e-9)
+                for name in ["FeatureMesh", "Force", "Fixed", "Steel", "Analysis", "Fragments"]:
+                    self.document.removeObject(name)
+
+    def test_what_was_cut_off_a_moved_body_has_nothing(self):
+        """A face of an earlier feature is where its body is, not where another face of the part happens to be."""
+        body = plate_with_hole(self.document)
+        cutter = body.newObject("Sketcher::SketchObject", "CutterSketch")
+        rectangle(cutter, -10, -10, 30, 60)
+        pocket = body.newObject("PartDesign::Pocket", "Cutter")
+        pocket.Profile, pocket.Type, pocket.Reversed = cutter, "ThroughAll", True
+        self.document.recompute()
+        end, = faces_at(self.document.Plate, 0, 0)
+        for x in (0, -20):   # the end that is left at x = 20 comes to lie where the end that was cut off would be
+            body.Placement.Base.x = x
+            self.document.recompute()
+            self.assertEqual(resolving.Resolver(body).names(self.document.Plate, end), [])
+
+    def test_all_pieces_of_a_free_form(self):
+        curve = Part.BSplineCurve()
+        curve.interpolate([FreeCAD.Vector(x, 0, z) for x, z in ((0, 10), (10, 13), (20, 9), (30, 12), (40, 10))])
+        corners = [FreeCAD.Vector(40, 0, 10), FreeCAD.Vector(40, 0, 0), FreeCAD.Vector(0, 0, 0), FreeCAD.Vector(0, 0, 10)]
+        wave, slot = self.document.addObject("Part::Feature", "Wave"), self.document.addObject("Part::Box", "Slot")
+        wave.Shape = Part.Face(Part.Wire([curve.toShape()] + [Part.makeLine(*ends) for ends in zip(corners, corners[1:])])).extrude(FreeCAD.Vector(0, 20, 0))
+        slot.Length, slot.Width, slot.Height, slot.Placement.Base = 60, 4, 30, FreeCAD.Vector(-5, 8, 5)
+        self.document.recompute()
+        part = self.fragments_of(wave, slot)
+        for number, face in enumerate(wave.Shape.Faces, 1):
+            found = [part.Shape.getElement(name) for name in resolving.Resolver(part).names(wave, "Face%d" % number)]
+            self.assertAlmostEqual(sum(piece.Area for piece in found), face.Area, delta=1e-6 * face.Area)
+
+    def test_what_the_kernel_made_a_spline_of(self):
+        spline = self.document.addObject("Part::Feature", "Spline")
+        spline.Shape = Part.makeBox(10, 10, 10).toNurbs()
+        part = self.fragments_of(spline, self.right)
+        for number in range(1, 7):
+            self.assertEqual(len(resolving.Resolver(part).names(self.left, "Face%d" % number) or []), 0)   # it is not in the part
+            found = resolving.Resolver(part).names(spline, "Face%d" % number)
+            self.assertAlmostEqual(sum(part.Shape.getElement(name).Area for name in found), 100, delta=1e-6)
+
+    def test_what_is_gone_beside_what_is_there_is_not_left_out_in_silence(self):
+        cut, tool = self.document.addObject("Part::Cut", "Cut"), self.document.addObject("Part::Box", "Tool")
+        tool.Length, tool.Width, tool.Height, tool.Placement.Base = 5, 30, 30, FreeCAD.Vector(15, -5, -5)
+        cut.Base, cut.Tool = self.right, tool
+        self.document.recompute()
+        analysis, mesh, force, _ = self.loaded(cut, [(self.right, "Face2"), (cut, "Face1")])   # the face at x = 20 was cut off
+        analysis.removeObject(self.document.Fixed)
+        message = "Force refers to Right:Face2, which is not on the meshed part Cut and has no nodes in its mesh; choose faces"
+        self.assertRegex(solve_guard.reason(analysis), message)
+        self.assertNotIn("Force", mesh.Proxy._record(mesh))
+        self.assertNotIn("Force_Nodes", groups_of(mesh))
+        with self.assertRaisesRegex(UserError, message):
+            statics_model.prepared(analysis, mesh)
+        force.References = [(cut, "Face1")]
+        self.document.recompute()
+        self.assertEqual(solve_guard.reason(analysis), "")
 
 
 class Resolving(unittest.TestCase):

@@ -253,7 +253,7 @@ def analysis_groups(mesh, resolver, entities):
         if member in materials or not hasattr(member, "References"):
             continue
         names, foreign = resolver.of_object(member)
-        if foreign or not names:
+        if foreign or not names or resolver.without_trace(member):
             continue   # not all of it is on the part
         groups.append((member.Name + "_Nodes", "Node", _union([entities.nodes(name) for name in names])))
         faces.update((name + "_Nodes", entities.nodes(name)) for name in names if name.startswith("Face"))

@@ -15,7 +15,7 @@ from . import assembled, versions
 from .messages import said
 from .proxies import HIDDEN
 from .reading import has_shape
-from .resolving import CLICKED, LOST, describe, is_element_of, pairs_of, path_of
+from .resolving import CLICKED, LOST, describe, is_between_solids, is_element_of, pairs_of, path_of
 
 translate = FreeCAD.Qt.translate
 
@@ -58,7 +58,7 @@ def record_of(objects, resolver):
     record = {}
     for obj in objects:
         names, foreign = resolver.of_object(obj)
-        if names and not foreign:
+        if names and not foreign and not resolver.without_trace(obj):
             record[obj.Name] = {"pairs": plain_pairs(obj), "names": names}
             along = {name: {"pairs": plain_pairs(obj, name), "names": meant} for name, meant in _meant_along(obj, resolver).items()}
             record[obj.Name].update({"along": along} if _may_act_along(obj) else {})
@@ -80,7 +80,10 @@ def settle(objects, resolver):
             continue
         meant = [resolver.names(target, sub) for target, sub in pairs]
         if all(meant):
+            normal = FreeCAD.Vector(getattr(obj, "DirectionVector", FreeCAD.Vector()))
             obj.References = [(resolver.bearer, tuple(dict.fromkeys(name for names in meant for name in names)))]
+            if is_between_solids(resolver.part.Shape, meant[0][0]):   # it has the normal of either of them
+                _keep_sign(obj, normal)
             if getattr(obj, CLICKED, None):
                 setattr(obj, CLICKED, [])
 
@@ -193,9 +196,9 @@ def take_back(obj, resolver, name, found):
 
 
 def elsewhere(objects, resolver):
-    """{object name: a line} for each of the objects that refers to something that the meshed part does not have, a material excepted: that may refer to
+    """{object name: a line} for each of the objects that refers to something that the meshed part does not have, or has nothing of, a material excepted: that may refer to
     the solids that the part is made of."""
-    foreign = {obj: resolver.of_object(obj)[1] for obj in objects if not obj.isDerivedFrom("App::MaterialObject")}
+    foreign = {obj: resolver.of_object(obj)[1] or resolver.without_trace(obj) for obj in objects if not obj.isDerivedFrom("App::MaterialObject")}
     part = assembled.seen_as(resolver.part).Label
     return {obj.Name: said(_ELSEWHERE, object=obj.Label, where=[describe(*pair) for pair in pairs], part=part)
             for obj, pairs in foreign.items() if pairs}
@@ -280,10 +283,16 @@ def _act_along(obj, bearer, names, name):
     was_touched, before = "Touched" in obj.State, FreeCAD.Vector(getattr(obj, "DirectionVector", FreeCAD.Vector()))
     is_another = not _refers(obj, bearer, names, name)
     _write(obj, bearer, names, name)
-    if is_another and before.dot(getattr(obj, "DirectionVector", before)) < -_OPPOSITE:
-        obj.Reversed = not obj.Reversed   # the new edge runs the other way
+    if is_another:   # the new edge may run the other way
+        _keep_sign(obj, before)
     if not (was_touched or is_another):
         obj.purgeTouched()   # the mesh is solved with it now
+
+
+def _keep_sign(obj, before):
+    """Of the direction of an object whose references were written anew."""
+    if before.dot(getattr(obj, "DirectionVector", before)) < -_OPPOSITE:
+        obj.Reversed = not obj.Reversed
 
 
 def _refers(obj, bearer, names, name):

@@ -11,6 +11,8 @@ property of the object that refers to it (CLICKED).
 
 import re
 
+import Part
+
 from . import engine, reading, versions
 from .errors import UserError
 
@@ -18,6 +20,8 @@ LOST = "?"   # in front of a sub-element that FreeCAD has lost, since 1.0
 CLICKED = "ClickedThrough"   # a property: "Link.Fillet.Face19" for each reference that was clicked through a link
 _MAPPED = ";"   # in front of an element's longer name, which selections have beside the plain one, since 1.0
 _ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)(\d+)$")
+_ANALYTIC = {"Face": ("Part::GeomPlane", "Part::GeomCylinder", "Part::GeomCone", "Part::GeomSphere", "Part::GeomToroid"), "Edge": ("Part::GeomLine", "Part::GeomCircle")}
+_STEPS = 6   # between the points at which a free form is looked at
 _MEMBERS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
 
 
@@ -80,6 +84,10 @@ class Resolver:
             names += [name for name in found or [] if name not in names]
         return names, foreign
 
+    def without_trace(self, member):
+        """The (object, sub-element) pairs of its References that are on something that the part is made of, and of which the part has nothing."""
+        return [(obj, sub) for obj, sub in pairs_of(member) if self.names(obj, sub) == []]
+
     def is_alike(self, obj):
         """Has the object the part's shape, number by number?"""
         return obj in self._alike or self.part in same_numbers(obj)
@@ -121,7 +129,10 @@ class Resolver:
     def _of_feature(self, feature, element):
         traced = self._trace(feature)
         if not element.startswith("Solid"):
-            return traced.get(element, [])
+            found = traced.get(element, [])
+            where_it_is = feature.Shape.copy()
+            where_it_is.Placement = versions.frame_around(self.part).inverse().multiply(versions.frame_around(feature)).multiply(where_it_is.Placement)
+            return found + on_it(self.part.Shape, where_it_is, element, found)
         solids = feature.Shape.Solids
         index = int(element[len("Solid"):]) - 1
         if index >= len(solids):
@@ -211,9 +222,49 @@ def solids_around(shape, faces):
     return ["Solid%d" % (i + 1) for i, count in enumerate(shared) if count and count == max(shared)]
 
 
+def on_it(shape, other, element, found):
+    """Names of more faces (edges) of `shape` that lie wholly on that one of `other`, which the engine does not tell: those between two solids, and where one of both is
+    of free form, which it knows only where it is the same one. Where it `found` nothing, all that lie there."""
+    kind = _ELEMENT.match(element).group(1)
+    if kind not in _ANALYTIC or not is_element_of(other, element):
+        return []
+    target, known = other.getElement(element), [shape.getElement(name) for name in found]
+    is_sought, box, tolerance = not found or _is_free(target), target.BoundBox, 1e-6 * (1 + other.BoundBox.DiagonalLength)
+    box.enlarge(tolerance)
+    return [name for name, own in ((kind + str(number), own) for number, own in enumerate(getattr(shape, _MEMBERS[kind]), 1))
+            if name not in found and (is_sought or _is_free(own) or is_between_solids(shape, name)) and box.intersect(own.BoundBox)
+            and all(_lies_on(point, target, tolerance) for point in _points_of(own)) and not any(_same_place(own, other) for other in known)]
+
+
+def is_between_solids(shape, name):
+    """Is that a face of two of the shape's solids?"""
+    solids = shape.Solids if name.startswith("Face") else []
+    return len(solids) > 1 and sum(any(shape.getElement(name).isSame(own) for own in solid.Faces) for solid in solids) > 1
+
+
 def describe(obj, sub):
     """A reference as FEM's panels show it."""
     return "%s:%s" % (obj.Name, sub) if sub else obj.Name
+
+
+def _is_free(element):
+    curve = getattr(element, "Surface" if element.ShapeType == "Face" else "Curve")
+    return curve.TypeId not in _ANALYTIC[element.ShapeType]
+
+
+def _points_of(element):
+    """Points of a face or an edge: of its border, and inside."""
+    if element.ShapeType == "Edge":
+        ends = element.ParameterRange
+        return [element.valueAt(ends[0] + (ends[1] - ends[0]) * i / _STEPS) for i in range(_STEPS + 1)]
+    low_u, high_u, low_v, high_v = element.ParameterRange
+    inside = [(low_u + (high_u - low_u) * i / _STEPS, low_v + (high_v - low_v) * j / _STEPS) for i in range(1, _STEPS) for j in range(1, _STEPS)]
+    return [point for edge in element.Edges if not edge.Degenerated for point in _points_of(edge)] + [
+        element.valueAt(u, v) for u, v in inside if element.isPartOfDomain(u, v)]
+
+
+def _lies_on(point, element, tolerance):
+    return element.distToShape(Part.Vertex(point))[0] <= tolerance
 
 
 def _same_counts(part, other):

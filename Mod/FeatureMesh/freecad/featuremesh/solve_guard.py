@@ -33,11 +33,22 @@ def reason(analysis):
             or _without_elements(analysis, mesh) or _material_in_doubt(analysis, mesh) if analyses.is_ours(mesh) else ""
         if problem:
             return problem
-    return _lost(analysis)
+    return _lost(analysis) or _without_trace(analysis)
 
 
 def _lost(analysis):
     return next((sentence for _, sentence in references.unmended(analysis)), "") if analysis is not None else ""
+
+
+def _without_trace(analysis):
+    """A load on a face of the part and on one of an earlier feature of which nothing is left would lose its share there in silence."""
+    sources = map(analyses.source_of, analyses.meshes_of(analysis)) if analysis is not None else ()
+    for source in filter(None, sources):
+        resolver = resolving.Resolver(versions.part_of(source))
+        for member in analysis.Group:
+            if hasattr(member, "References") and not is_material(member) and resolver.without_trace(member):
+                return in_words(references.elsewhere([member], resolver)[member.Name])
+    return ""
 
 
 def not_recomputed(mesh):

@@ -14,7 +14,7 @@ from .hand_over import EntityGroups
 from .materials import material_groups
 from .messages import said
 from .reading import describe
-from .references import ACTS_ON_NOTHING
+from .references import ACTS_ON_NOTHING, elsewhere
 from .resolving import Resolver
 
 LIVE_RESULT = "Fem::FeatureMeshLiveResult"   # the type of live_result.LiveResult
@@ -150,10 +150,10 @@ class _Reader:
         if not -1 < poisson <= _HIGHEST_POISSON:
             raise NotUnderstood(said("the material {material:text} is nearly incompressible (Poisson's ratio {poisson:number}), for "
                                                        "which these elements are too stiff", material=describe(material), poisson=poisson))
-        density = values.get("Density")
+        density = density_of(material)
         if density is None:
             self.statics.has_density = False
-        return young, poisson, float(FreeCAD.Units.Quantity(density).getValueAs("t/mm^3").Value) if density is not None else 0.0
+        return young, poisson, density or 0.0
 
     # Supports
 
@@ -222,7 +222,7 @@ class _Reader:
 
     def read_self_weight(self, member):
         if not self.statics.has_density:
-            raise UserError(said("{weight:text} needs the density of every material; give each of them one", weight=describe(member)))
+            raise UserError(said("{weight:text} needs the density of every material; give each of them one, with its unit", weight=describe(member)))
         self._load(member, _by_weight, self.statics.materials, self.statics.tet_materials, list(gravity(member)))
 
     def _load(self, member, make, *given):
@@ -244,6 +244,8 @@ class _Reader:
         if foreign:
             raise NotUnderstood(said("{member:text} refers to another object than the meshed part {part:text}", member=describe(member),
                                      part=describe(self.part)))
+        if self.resolver.without_trace(member):
+            raise UserError(elsewhere([member], self.resolver)[member.Name])
         if not names:
             raise UserError(said("{member:text} refers to nothing: choose faces, edges or vertices for it", member=describe(member)))
         return names
@@ -293,6 +295,14 @@ def _by_pressure(arrays, elements, pressure):
 
 def _by_weight(arrays, materials, tet_materials, along):
     return engine.load().statics_weight(arrays, materials, tet_materials, along)
+
+
+def density_of(material):
+    """t/mm^3; None where the material has none, or one without its unit, of which FreeCAD makes nothing."""
+    try:
+        return float(FreeCAD.Units.Quantity(material.Material["Density"]).getValueAs("t/mm^3").Value)
+    except (KeyError, ValueError, ArithmeticError):
+        return None
 
 
 def amount(value, unit):
