@@ -9,6 +9,7 @@ from unittest import mock
 import FreeCAD
 import ObjectsFem
 from analyses import quantity
+from femtools import ccxtools
 from freecad.featuremesh import api, cli, mesh_object, versions
 from freecad.featuremesh.errors import UserError
 from parts import new_document, plate_with_hole
@@ -141,3 +142,11 @@ class Solve(unittest.TestCase):
         self.assertIn(result, self.analysis.Group)
         with self.assertRaisesRegex(UserError, "Body is no analysis"):
             api.solve(self.body)
+
+    def test_what_freecads_writer_fails_at_is_said_and_the_last_result_stays(self):
+        result = api.solve(self.analysis).result
+        with mock.patch.object(ccxtools.FemToolsCcx, "write_inp_file", side_effect=ZeroDivisionError("float division by zero")):
+            for solve in (api.solve, lambda analysis: api.solve_analysis(analysis, "ccx")):
+                with self.assertRaisesRegex(UserError, "could not write CalculiX's input for Analysis: float division by zero; is there a load of 0"):
+                    solve(self.analysis)
+        self.assertIn(result, self.analysis.Group)

@@ -8,7 +8,36 @@ from analyses import add_solver
 from freecad.featuremesh import api, calculix, live_result, solvers, solving, statics, tasks
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
-from statics_cases import HAS_SOLVER, Case
+from freecad.featuremesh.study import mass
+from statics_cases import HAS_SOLVER, STEEL, Case, faces_at
+
+
+@unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
+class LoadsAndDensities(Case):
+    """What loads nothing that can move, and densities that are none."""
+
+    def setUp(self):
+        super().setUp()
+        self.part, self.of_the_box = self.held_box(8.0)
+
+    def test_a_load_on_what_is_held_is_said(self):
+        self.document.removeObject("Force")
+        self.force(self.of_the_box, self.part, faces_at(self.part, 0, 0))
+        report = statics.solve(self.of_the_box)[1]
+        self.assertIn("all loads act on what the supports hold", " ".join(map(english, report["warnings"])))
+        self.assertAlmostEqual(abs(report["responses"]["reactions_n"]["Fixed"][2]), 1000, delta=1e-3)
+
+    def test_a_density_without_its_unit_is_none(self):
+        for density in ("7850", "", "heavy", "7850 MPa"):
+            self.document.Steel.Material = dict(STEEL, Density=density)
+            report = statics.solve(self.of_the_box)[1]
+            self.assertGreater(report["responses"]["max_displacement_mm"], 0)
+            self.assertIsNone(report["responses"]["mass_kg"])
+            with self.assertRaisesRegex(UserError, "Steel has no density; give it one, with its unit$"):
+                mass.of_part(self.part, self.of_the_box, statics.arrays_of(self.of_the_box))
+        self.add(self.of_the_box, ObjectsFem.makeConstraintSelfWeight, "Weight", None)
+        with self.assertRaisesRegex(UserError, "Weight needs the density of every material; give each of them one, with its unit$"):
+            statics.solve(self.of_the_box)
 
 
 class SeveralSolvers(Case):
@@ -93,6 +122,17 @@ class SeveralSolvers(Case):
         report = api.solve_analysis(self.of_the_box, "ccx")
         self.assertIn("solved as %s asks, not %s" % (self.first.Name, other.Name), list(map(english, report["warnings"])))
         self.assertGreater(api.solve(self.of_the_box).figures["stress"], 0)
+
+    @unittest.skipUnless(HAS_SOLVER and shutil.which("ccx"), "PETSc or CalculiX is not installed")
+    def test_beside_a_live_result_calculix_gives_its_own(self):
+        live = api.live_result(self.of_the_box)
+        for _ in range(2):
+            solution = api.solve(self.of_the_box)
+            self.assertIn("CCX", solution.result.Name)
+            self.assertNotEqual(solution.result, live.Result)
+            self.assertEqual(live.Status, live_result.UP_TO_DATE)
+            self.assertNotEqual(solution.figures["displacement"], live.MaxDisplacement)   # of six digits in CalculiX's file
+            self.assertAlmostEqual(solution.figures["displacement"] / live.MaxDisplacement, 1, delta=1e-4)
 
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_modes_are_told_by_their_frequencies(self):

@@ -48,7 +48,7 @@ def solve(analysis):
         read = _read_arrays(analysis, known, base + "frd") if known is not None else None
         if read is None:
             tools.load_results()
-            result = next((member for member in reversed(analysis.Group) if member.isDerivedFrom("Fem::FemResultObject")), None)
+            result = solving.last_result(analysis)
         else:
             tools.load_results_ccxdat()
             result = read[0]
@@ -95,8 +95,12 @@ def write_input(tools, folder, analysis):
     problem = tools.check_prerequisites()
     if problem:
         raise UserError(said("CalculiX cannot solve {analysis:text}: {why:text}", analysis=describe(analysis), why=" ".join(problem.split())))
+    try:
+        tools.write_inp_file()
+    except Exception as error:   # FreeCAD's writer looks at little before it counts with it
+        raise UserError(said("FreeCAD could not write CalculiX's input for {analysis:text}: {why:text}; is there a load of 0, on nothing, or on a face and an edge at once?",
+                             analysis=describe(analysis), why=str(error))) from error
     tools.purge_results()
-    tools.write_inp_file()
     if not tools.inp_file_name or not os.path.isfile(tools.inp_file_name):
         raise UserError(said("FreeCAD could not write CalculiX's input for {analysis:text}; its report view says why",
                              analysis=describe(analysis)))

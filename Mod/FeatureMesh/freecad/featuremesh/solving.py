@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import FreeCAD
 import ObjectsFem
 
-from . import analyses, reading, solve_guard, solvers
+from . import analyses, reading, solve_guard, solvers, statics_model
 from .errors import UserError
 from .messages import said
 from .proxies import type_of
@@ -41,10 +41,17 @@ def solve(analysis):
         tools.load_results()
     for remark in solvers.remarks(analysis, solver):
         FreeCAD.Console.PrintMessage("%s: %s\n" % (reading.describe(analysis), in_words(remark)))
-    results = [member for member in analysis.Group if member.isDerivedFrom("Fem::FemResultObject")]
-    if not results:
+    result = last_result(analysis)
+    if result is None:
         raise UserError(said("CalculiX gave no result for {analysis:text}", analysis=reading.describe(analysis)))
-    return Solution(results[-1], figures_of(results[-1]))
+    return Solution(result, figures_of(result))
+
+
+def last_result(analysis):
+    """CalculiX's result object that came last, None where there is none. FreeCAD removes all of them before, and recomputes afterwards: a live result of the analysis
+    then makes its own anew, behind those."""
+    of_live = [member.Result for member in analysis.Group if type_of(member) == statics_model.LIVE_RESULT]
+    return next((member for member in reversed(analysis.Group) if member.isDerivedFrom("Fem::FemResultObject") and member not in of_live), None)
 
 
 def solver_of(analysis):

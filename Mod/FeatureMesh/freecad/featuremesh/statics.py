@@ -147,7 +147,9 @@ def mass(statics):
 
 
 def without_load(statics):
-    """Where nothing moves: what does not load the part is named already, but there may be no load at all."""
+    """Where nothing moves: what does not load the part is named already, but there may be no load at all, or none on what is free to move."""
+    if statics.loads.any():
+        return [said("all loads act on what the supports hold, so nothing moves; look at the faces, edges and vertices that they are on")]
     return [] if statics.warnings else [said("nothing loads the part: add a force, a pressure or another load to the analysis")]
 
 

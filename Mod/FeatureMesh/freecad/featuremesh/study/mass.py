@@ -3,7 +3,6 @@
 
 import math
 
-import FreeCAD
 import numpy as np
 from femtools import femutils
 
@@ -86,10 +85,10 @@ def _numbers(member, resolver, entities):
 
 def _density(material):
     """t/mm^3."""
-    text = material.Material.get("Density")
-    if text is None:
-        raise UserError(said("the material {material:text} has no density; give it one", material=describe(material)))
-    return float(FreeCAD.Units.Quantity(text).getValueAs("t/mm^3").Value)
+    density = statics_model.density_of(material)
+    if density is None:
+        raise UserError(said("the material {material:text} has no density; give it one, with its unit", material=describe(material)))
+    return density
 
 
 def _thickness(member):

@@ -475,6 +475,10 @@
       <translation>FreeCAD kann {path:text} nicht öffnen: {why:messages}</translation>
     </message>
     <message>
+      <source>FreeCAD could not write CalculiX's input for {analysis:text}: {why:text}; is there a load of 0, on nothing, or on a face and an edge at once?</source>
+      <translation>FreeCAD konnte die Eingabe für CalculiX zu {analysis:text} nicht schreiben: {why:text}; gibt es eine Last von 0, auf nichts, oder auf einer Fläche und einer Kante zugleich?</translation>
+    </message>
+    <message>
       <source>FreeCAD crashed ({signal:text})</source>
       <translation>FreeCAD ist abgestürzt ({signal:text})</translation>
     </message>
@@ -749,6 +753,10 @@
     <message>
       <source>additive</source>
       <translation>additiv</translation>
+    </message>
+    <message>
+      <source>all loads act on what the supports hold, so nothing moves; look at the faces, edges and vertices that they are on</source>
+      <translation>alle Lasten wirken auf das, was die Lager halten, so dass sich nichts bewegt; die Flächen, Kanten und Ecken ansehen, auf denen sie sind</translation>
     </message>
     <message>
       <source>an analysis</source>
@@ -1345,8 +1353,8 @@
       <translation>der Werkstoff {material:text} hat keinen Elastizitätsmodul oder keine Querkontraktionszahl, die eine Zahl ist: in seinem Fenster eine Werkstoffkarte wählen oder beide eintippen</translation>
     </message>
     <message>
-      <source>the material {material:text} has no density; give it one</source>
-      <translation>der Werkstoff {material:text} hat keine Dichte; ihm eine geben</translation>
+      <source>the material {material:text} has no density; give it one, with its unit</source>
+      <translation>der Werkstoff {material:text} hat keine Dichte; ihm eine geben, mit ihrer Einheit</translation>
     </message>
     <message>
       <source>the memory limit of a case is more than 0 GB, not {gigabytes:number}; leave it out where the whole machine may be used</source>
@@ -4285,8 +4293,8 @@
       <translation>{weight:text} hat keine Richtung; ihm eine geben</translation>
     </message>
     <message>
-      <source>{weight:text} needs the density of every material; give each of them one</source>
-      <translation>{weight:text} braucht die Dichte jedes Werkstoffs; jedem eine geben</translation>
+      <source>{weight:text} needs the density of every material; give each of them one, with its unit</source>
+      <translation>{weight:text} braucht die Dichte jedes Werkstoffs; jedem eine geben, mit ihrer Einheit</translation>
     </message>
     <message>
       <source>{what:messages} (percentile {percent:number})</source>
