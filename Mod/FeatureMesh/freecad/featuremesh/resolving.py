@@ -10,6 +10,7 @@ property of the object that refers to it (CLICKED).
 """
 
 import re
+import typing
 
 import Part
 
@@ -25,6 +26,15 @@ _STEPS = 6   # between the points at which a free form is looked at
 _MEMBERS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
 
 
+class _Member(typing.NamedTuple):
+    """A face or an edge of the part."""
+    name: str
+    shape: object
+    box: object
+    is_free: bool   # no plane, cylinder, cone, sphere, torus, line or circle
+    is_between_solids: bool
+
+
 class Resolver:
     """Gives the sub-elements of one part that references mean."""
 
@@ -36,6 +46,9 @@ class Resolver:
         # What references to the part are written to: FreeCAD (0.20 to 1.1) crashes when a constraint refers to a link. None where there is nothing.
         self.bearer = next((obj for obj in self._alike if obj.isDerivedFrom("Part::Feature")), None)
         self._traced = {}   # name of a feature's record -> {sub-element of it: sub-elements of the part}
+        self._found = {}    # (feature, sub-element of it) -> sub-elements of the part
+        self._placed = {}   # feature -> its shape in the part's space
+        self._members = {}   # kind -> _Member of the part's shape
 
     def names(self, obj, sub):
         """Names of the part's faces, edges, vertices and solids that (obj, sub) means, empty when it has none any more; None when that is
@@ -129,10 +142,10 @@ class Resolver:
     def _of_feature(self, feature, element):
         traced = self._trace(feature)
         if not element.startswith("Solid"):
-            found = traced.get(element, [])
-            where_it_is = feature.Shape.copy()
-            where_it_is.Placement = versions.frame_around(self.part).inverse().multiply(versions.frame_around(feature)).multiply(where_it_is.Placement)
-            return found + on_it(self.part.Shape, where_it_is, element, found)
+            if (feature, element) not in self._found:
+                found = traced.get(element, [])
+                self._found[feature, element] = found + self._more_on(feature, element, found)
+            return self._found[feature, element]
         solids = feature.Shape.Solids
         index = int(element[len("Solid"):]) - 1
         if index >= len(solids):
@@ -140,6 +153,36 @@ class Resolver:
         numbers = [number for number, face in enumerate(feature.Shape.Faces, 1) if any(face.isSame(own) for own in solids[index].Faces)]
         faces = [name for number in numbers for name in traced.get("Face%d" % number, [])]
         return solids_around(self.part.Shape, faces)
+
+    def _more_on(self, feature, element, found):
+        """Names of more faces (edges) of the part that lie wholly on that one of the feature, which the engine does not tell: those between two solids, and
+        where one of both is of free form, which it knows only where it is the same one. Where it `found` nothing, all that lie there."""
+        kind, shape = _ELEMENT.match(element).group(1), self._where_it_is(feature)
+        if kind not in _ANALYTIC or not is_element_of(shape, element):
+            return []
+        target, box, tolerance = shape.getElement(element), shape.getElement(element).BoundBox, 1e-6 * (1 + shape.BoundBox.DiagonalLength)
+        box.enlarge(tolerance)
+        members = self._members_of(kind)
+        known, is_sought = [member.shape for member in members if member.name in found], not found or _is_free(target)
+        return [member.name for member in members
+                if member.name not in found and (is_sought or member.is_free or member.is_between_solids) and box.intersect(member.box)
+                and all(_lies_on(point, target, tolerance) for point in _points_of(member.shape)) and not any(_same_place(member.shape, other) for other in known)]
+
+    def _where_it_is(self, feature):
+        """The feature's shape in the part's space."""
+        if feature not in self._placed:
+            shape = Part.Shape(feature.Shape)
+            shape.Placement = versions.frame_around(self.part).inverse().multiply(versions.frame_around(feature)).multiply(shape.Placement)
+            self._placed[feature] = shape
+        return self._placed[feature]
+
+    def _members_of(self, kind):
+        if kind not in self._members:
+            shape = self.part.Shape
+            between = _faces_between(shape.Solids) if kind == "Face" else {}
+            self._members[kind] = [_Member(kind + str(number), own, own.BoundBox, _is_free(own), _is_among(own, between))
+                                   for number, own in enumerate(getattr(shape, _MEMBERS[kind]), 1) if kind == "Face" or not own.Degenerated]
+        return self._members[kind]
 
     def _trace(self, feature):
         name = self._record_name(feature)
@@ -222,24 +265,9 @@ def solids_around(shape, faces):
     return ["Solid%d" % (i + 1) for i, count in enumerate(shared) if count and count == max(shared)]
 
 
-def on_it(shape, other, element, found):
-    """Names of more faces (edges) of `shape` that lie wholly on that one of `other`, which the engine does not tell: those between two solids, and where one of both is
-    of free form, which it knows only where it is the same one. Where it `found` nothing, all that lie there."""
-    kind = _ELEMENT.match(element).group(1)
-    if kind not in _ANALYTIC or not is_element_of(other, element):
-        return []
-    target, known = other.getElement(element), [shape.getElement(name) for name in found]
-    is_sought, box, tolerance = not found or _is_free(target), target.BoundBox, 1e-6 * (1 + other.BoundBox.DiagonalLength)
-    box.enlarge(tolerance)
-    return [name for name, own in ((kind + str(number), own) for number, own in enumerate(getattr(shape, _MEMBERS[kind]), 1))
-            if name not in found and (is_sought or _is_free(own) or is_between_solids(shape, name)) and box.intersect(own.BoundBox)
-            and all(_lies_on(point, target, tolerance) for point in _points_of(own)) and not any(_same_place(own, other) for other in known)]
-
-
 def is_between_solids(shape, name):
     """Is that a face of two of the shape's solids?"""
-    solids = shape.Solids if name.startswith("Face") else []
-    return len(solids) > 1 and sum(any(shape.getElement(name).isSame(own) for own in solid.Faces) for solid in solids) > 1
+    return name.startswith("Face") and _is_among(shape.getElement(name), _faces_between(shape.Solids))
 
 
 def describe(obj, sub):
@@ -252,15 +280,32 @@ def _is_free(element):
     return curve.TypeId not in _ANALYTIC[element.ShapeType]
 
 
+def _faces_between(solids):
+    """{hash: faces that two of the solids have}"""
+    once, twice = {}, {}
+    for solid in solids if len(solids) > 1 else ():
+        for face in solid.Faces:
+            kept = twice if _is_among(face, once) else once
+            kept.setdefault(face.hashCode(), []).append(face)
+    return twice
+
+
+def _is_among(element, by_hash):
+    return any(element.isSame(other) for other in by_hash.get(element.hashCode(), ()))
+
+
 def _points_of(element):
-    """Points of a face or an edge: of its border, and inside."""
+    """Points of a face or an edge: of its border, then inside."""
     if element.ShapeType == "Edge":
-        ends = element.ParameterRange
-        return [element.valueAt(ends[0] + (ends[1] - ends[0]) * i / _STEPS) for i in range(_STEPS + 1)]
+        low, high = element.ParameterRange
+        yield from (element.valueAt(low + (high - low) * i / _STEPS) for i in range(_STEPS + 1))
+        return
+    for edge in element.Edges:
+        if not edge.Degenerated:
+            yield from _points_of(edge)
     low_u, high_u, low_v, high_v = element.ParameterRange
-    inside = [(low_u + (high_u - low_u) * i / _STEPS, low_v + (high_v - low_v) * j / _STEPS) for i in range(1, _STEPS) for j in range(1, _STEPS)]
-    return [point for edge in element.Edges if not edge.Degenerated for point in _points_of(edge)] + [
-        element.valueAt(u, v) for u, v in inside if element.isPartOfDomain(u, v)]
+    inside = ((low_u + (high_u - low_u) * i / _STEPS, low_v + (high_v - low_v) * j / _STEPS) for i in range(1, _STEPS) for j in range(1, _STEPS))
+    yield from (element.valueAt(u, v) for u, v in inside if element.isPartOfDomain(u, v))
 
 
 def _lies_on(point, element, tolerance):
