@@ -36,8 +36,8 @@ LOST_ALONG = "LostDirection"
 
 _moved = set()   # (name of the document, name) of what was given other references since the last recompute
 
-_ELSEWHERE = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {where:entities}, which is not on the meshed part {part:text} and has no nodes in its mesh; choose "
-                               "faces, edges or vertices of {part:text} instead")
+ELSEWHERE = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {where:entities}, which is not on the meshed part {part:text} and has no nodes in its mesh; choose "
+                              "faces, edges or vertices of {part:text} instead")
 _TAKEN_OUT = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; it was taken out of the references")
 _CHOOSE_ANOTHER = {
     "Face": QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {lost:entities}, which is gone; choose another face, the analysis cannot be solved without"),
@@ -200,7 +200,7 @@ def elsewhere(objects, resolver):
     the solids that the part is made of."""
     foreign = {obj: resolver.of_object(obj)[1] or resolver.without_trace(obj) for obj in objects if not obj.isDerivedFrom("App::MaterialObject")}
     part = assembled.seen_as(resolver.part).Label
-    return {obj.Name: said(_ELSEWHERE, object=obj.Label, where=[describe(*pair) for pair in pairs], part=part)
+    return {obj.Name: said(ELSEWHERE, object=obj.Label, where=[describe(*pair) for pair in pairs], part=part)
             for obj, pairs in foreign.items() if pairs}
 
 

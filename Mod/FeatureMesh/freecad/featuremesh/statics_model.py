@@ -8,13 +8,13 @@ import FreeCAD
 import numpy as np
 from femtools import constants, femutils
 
-from . import analyses, engine, solvers, versions
+from . import analyses, engine, resolving, solvers, versions
 from .errors import UserError
 from .hand_over import EntityGroups
 from .materials import material_groups
 from .messages import said
 from .reading import describe
-from .references import ACTS_ON_NOTHING, elsewhere
+from .references import ACTS_ON_NOTHING, ELSEWHERE
 from .resolving import Resolver
 
 LIVE_RESULT = "Fem::FeatureMeshLiveResult"   # the type of live_result.LiveResult
@@ -244,8 +244,8 @@ class _Reader:
         if foreign:
             raise NotUnderstood(said("{member:text} refers to another object than the meshed part {part:text}", member=describe(member),
                                      part=describe(self.part)))
-        if self.resolver.without_trace(member):
-            raise UserError(elsewhere([member], self.resolver)[member.Name])
+        if gone := self.resolver.without_trace(member):
+            raise UserError(said(ELSEWHERE, object=member.Label, where=[resolving.describe(*pair) for pair in gone], part=describe(self.part)))
         if not names:
             raise UserError(said("{member:text} refers to nothing: choose faces, edges or vertices for it", member=describe(member)))
         return names
