@@ -134,6 +134,16 @@ class SeveralSolvers(Case):
             self.assertNotEqual(solution.figures["displacement"], live.MaxDisplacement)   # of six digits in CalculiX's file
             self.assertAlmostEqual(solution.figures["displacement"] / live.MaxDisplacement, 1, delta=1e-4)
 
+    @unittest.skipUnless(HAS_SOLVER and shutil.which("ccx"), "PETSc or CalculiX is not installed")
+    def test_a_part_that_can_move_is_refused_but_for_its_modes(self):
+        self.document.removeObject("Fixed")
+        for solve in (api.solve, lambda analysis: api.solve_analysis(analysis, "ccx")):
+            with self.assertRaisesRegex(UserError, "can still move along x, y and z and turn about"):
+                solve(self.of_the_box)
+        self.assertFalse([member for member in self.of_the_box.Group if member.isDerivedFrom("Fem::FemResultObject")])
+        self.first.AnalysisType = "frequency"
+        self.assertTrue(api.solve(self.of_the_box).figures["displacement"])
+
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_modes_are_told_by_their_frequencies(self):
         self.first.AnalysisType = "frequency"

@@ -35,8 +35,10 @@ _SHOWN = 600     # characters of what CalculiX says when it fails
 def solve(analysis):
     """Runs CalculiX and leaves FreeCAD's result object in the analysis. Returns the report, keys as statics.solve. Throws UserError."""
     program()   # refuses before anything is written
-    solver, start = solver_of(analysis), time.perf_counter()
-    tools, known = ccxtools.FemToolsCcx(analysis, solver, test_mode=False), as_arrays(analysis)
+    start, known = time.perf_counter(), as_arrays(analysis)
+    refuse_free_motions(known)
+    solver = solver_of(analysis)
+    tools = ccxtools.FemToolsCcx(analysis, solver, test_mode=False)
     with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder, contextlib.redirect_stdout(sys.__stderr__):   # FreeCAD's tools print what they write
         write_input(tools, folder, analysis)
         matrix_solver = amend(tools.inp_file_name, solver, known)
@@ -65,6 +67,13 @@ def solve(analysis):
             "reused": {"preconditioner": False, "start_share": 0.0}, "warnings": solvers.remarks(analysis, solver) + remarks(tools.mesh.FemMesh.VolumeCount > 0, solver),
             "seconds": {"read": written - start, "assemble": 0.0, "setup": 0.0, "solve": solved - written, "stresses": 0.0,
                         "result": time.perf_counter() - solved, "total": time.perf_counter() - start}}
+
+
+def refuse_free_motions(known):
+    """Throws UserError for what can move as a rigid body, where the live solver knows all that holds it: CalculiX lets it fly for hundreds of kilometres."""
+    with contextlib.suppress(statics.NotUnderstood):   # of very many pieces
+        if known is not None:
+            statics.refuse_free_motions(known)
 
 
 def remarks(is_solid, solver):

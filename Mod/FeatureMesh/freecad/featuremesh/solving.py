@@ -31,6 +31,7 @@ def solve(analysis):
     analyses.refuse_other(analysis)
     solve_guard.refuse(analysis)
     calculix.program()   # refuses before anything is changed
+    calculix.refuse_free_motions(calculix.as_arrays(analysis))
     solver = solver_of(analysis)
     tools = calculix.ccxtools.FemToolsCcx(analysis, solver, test_mode=False)
     with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder, contextlib.redirect_stdout(sys.__stderr__):   # FreeCAD's tools print what they write
