@@ -142,7 +142,7 @@ class SeveralSolvers(Case):
                 solve(self.of_the_box)
         self.assertFalse([member for member in self.of_the_box.Group if member.isDerivedFrom("Fem::FemResultObject")])
         self.first.AnalysisType = "frequency"
-        self.assertTrue(api.solve(self.of_the_box).figures["displacement"])
+        calculix.refuse_free_motions(calculix.as_arrays(self.of_the_box))
 
     @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
     def test_modes_are_told_by_their_frequencies(self):
