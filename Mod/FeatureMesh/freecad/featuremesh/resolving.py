@@ -276,8 +276,11 @@ def describe(obj, sub):
 
 
 def _is_free(element):
-    curve = getattr(element, "Surface" if element.ShapeType == "Face" else "Curve")
-    return curve.TypeId not in _ANALYTIC[element.ShapeType]
+    try:
+        form = element.Surface if element.ShapeType == "Face" else element.Curve
+    except TypeError:   # one of which FreeCAD has no kind
+        return True
+    return form.TypeId not in _ANALYTIC[element.ShapeType]
 
 
 def _faces_between(solids):
