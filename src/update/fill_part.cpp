@@ -201,6 +201,10 @@ void take_surface(const Brep& brep, const SizingField&, SurfaceResult surface, K
             return;
         }
     }
+    if (brep.dimension() == Dimension::faces ? mesh.triangles.empty() : mesh.segments.empty()) {
+        attempt.refusal = say<Code::all_is_ignored>();
+        return;
+    }
     kept.is_rim.clear();  // everything is checked: without tets that is little
     validate(mesh, brep, std::move(kept), 0, {}, attempt, context);
     if (!attempt.refusal.empty()) return;

@@ -168,6 +168,18 @@ TEST_CASE("A border that passes a vertex of another nearer than what is ignored 
     CHECK(result.report.triangles < 1000);
 }
 
+TEST_CASE(
+    "A sheet as narrow as what is ignored automatically has its elements, and is refused where the user ignores it") {
+    const RawDocument strip = document_of(BRepBuilderAPI_MakeFace(rectangle({0, 0, 0}, 60, 0.003)).Face());
+    MeshOptions options = options_of(5, 1);
+    options.ignore_below = 0;
+    const PartMeshResult result = meshed(strip, options);
+    CHECK(broken_invariants(result.part_mesh->mesh, expectation_of(result.part_mesh->part.brep)).empty());
+    CHECK(result.report.triangles >= 12);
+    options.ignore_below = 0.01;
+    CHECK_THROWS_WITH(meshed(strip, options), Catch::Matchers::StartsWith("All of the part is smaller"));
+}
+
 TEST_CASE("Where three sheets meet in an edge they share its nodes") {
     RunContext context;
     const PartMeshResult result = mesh_part(document_of(three_sheets(20)), options_of(4, 1), context);
