@@ -419,6 +419,10 @@
       <translation>Alle Fälle zugleich</translation>
     </message>
     <message>
+      <source>All of the part is smaller than the details that are ignored. Ask for a smaller size, or ignore smaller details only (property IgnoreBelow).</source>
+      <translation>Das ganze Bauteil ist kleiner als die Einzelheiten, die übergangen werden. Eine kleinere Elementgröße verlangen oder nur kleinere Einzelheiten übergehen (Eigenschaft IgnoreBelow).</translation>
+    </message>
+    <message>
       <source>An adopted mesh keeps its element order. Mesh the part from scratch for another one.</source>
       <translation>Ein übernommenes Netz behält seine Elementordnung. Für eine andere das Bauteil vollständig neu vernetzen.</translation>
     </message>
