@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Analyses with our mesh: CalculiX solves them, the figures are right, and an edit needs no hand on the constraints."""
+import os
 import shutil
+import signal
 import tempfile
+import time
 import unittest
 from unittest import mock
 
 import ObjectsFem
 from femtools import ccxtools
-from freecad.featuremesh import api, engine, mesh_object, solve_guard, versions
+from freecad.featuremesh import api, calculix, engine, mesh_object, solve_guard, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from freecad.featuremesh.study import study_object
@@ -150,6 +153,22 @@ class Solving(unittest.TestCase):
                 api.solve_analysis(analysis, "live")
         self.assertEqual(report["solver"], "CalculiX")
         self.assertIn("needs PETSc", " ".join(map(english, report["warnings"])))
+
+    def test_calculix_ends_with_the_process_that_started_it(self):
+        """The one that Ctrl-C ends, or a lack of memory; CalculiX would go on for hours."""
+        reading, writing = os.pipe()
+        child = os.fork()
+        if not child:
+            calculix.run(mock.Mock(ccx_run=lambda: ccxtools.subprocess.Popen(["sh", "-c", "echo started; exec sleep 20"], stdout=writing).wait()))
+            os._exit(0)
+        os.close(writing)
+        with open(reading, encoding="utf-8") as stream:
+            self.assertEqual(stream.readline(), "started\n")
+            os.kill(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+            start = time.monotonic()
+            stream.read()   # until the process ends
+        self.assertLess(time.monotonic() - start, 5)
 
     def test_an_analysis_without_a_solver_gets_one(self):
         part = self.document.addObject("Part::Box", "Beam")

@@ -17,7 +17,7 @@ import FreeCAD
 import numpy as np
 from femtools import ccxtools
 
-from . import analyses, frd, modes, solvers, solving, statics, statics_model, statics_result, versions
+from . import analyses, frd, modes, parent_process, solvers, solving, statics, statics_model, statics_result, versions
 from .errors import UserError
 from .messages import said
 from .reading import describe
@@ -196,7 +196,8 @@ def program():
 
 def run(tools):
     """Has FreeCAD's tools run CalculiX on the input they wrote. Returns its exit code. Throws UserError where the program is another one."""
-    code = tools.ccx_run()
+    with parent_process.of_what_starts(ccxtools):
+        code = tools.ccx_run()
     if not tools.ccx_binary_present:
         raise UserError(said("CalculiX's program is set to {path:text}, which is not CalculiX; choose another one in FreeCAD's preferences, FEM > CalculiX", path=program()))
     return code
