@@ -11,6 +11,7 @@ import sys
 import tempfile
 import time
 import unittest
+import zipfile
 from unittest import mock
 
 import FreeCAD
@@ -189,7 +190,7 @@ class Faults(unittest.TestCase):
         for share in (0.02, 0.5, 0.95):
             with self.subTest(share=share):
                 self.full_disk(int(share * len(before)))
-                with self.assertRaisesRegex(UserError, "cannot write"):
+                with self.assertRaisesRegex(UserError, "cannot write .* is it full"):
                     documents.save_document(self.document, self.path)
                 self.doCleanups_of_limit()
                 with open(self.path, "rb") as stream:
@@ -198,6 +199,27 @@ class Faults(unittest.TestCase):
 
     def doCleanups_of_limit(self):
         resource.setrlimit(resource.RLIMIT_FSIZE, (resource.RLIM_INFINITY, resource.getrlimit(resource.RLIMIT_FSIZE)[1]))
+
+    def test_no_room_for_temporary_files_while_a_document_is_saved_or_opened(self):
+        """FreeCAD writes and reads a mesh by way of a file there, which is larger than the whole document."""
+        documents.save_document(self.document, self.path)
+        whole, again = {name: len(values) for name, values in self.mesh.Proxy.arrays(self.mesh).items()}, os.path.join(self.folder, "again.FCStd")
+        with zipfile.ZipFile(self.path) as archive:
+            size = archive.getinfo("FemMesh.unv").file_size
+        self.assertGreater(size, 1.2 * os.path.getsize(self.path))
+        self.full_disk(size - 5000)
+        with self.assertRaisesRegex(UserError, "FreeCAD cannot write a mesh to the folder for temporary files"):
+            documents.save_document(self.document, again)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = documents.open_document(self.path)
+        self.doCleanups_of_limit()
+        mesh = self.document.getObject("FeatureMesh")
+        self.assertEqual((mesh.FemMesh.NodeCount, mesh.FemMesh.VolumeCount), (whole["node_numbers"], whole["tets"]))
+        with mock.patch.object(shutil, "disk_usage", lambda folder: mock.Mock(free=size - 1)), self.assertRaisesRegex(UserError, "cannot read the meshes of"):
+            documents.open_document(self.path)
+        with mock.patch.object(os, "access", lambda *_: False), self.assertRaisesRegex(UserError, "where 0 MB can be written"):
+            documents.open_document(self.path)
+        self.assertEqual(os.listdir(self.folder), ["part.FCStd"])
 
     def test_full_disk_while_a_mesh_is_exported(self):
         """FreeCAD's writers for UNV, MED and Z88 do not look whether all was written."""

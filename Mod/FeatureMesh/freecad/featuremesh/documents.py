@@ -23,6 +23,7 @@ _OBJECT = re.compile(r'<Object type="([^"]*)" name="([^"]*)"')   # in the list o
 _QUOTES = {"&quot;": '"', "&apos;": "'"}
 # By the name of each document that was opened.
 _opened = {}
+_MESH = re.compile(rb'<FemMesh file="([^"]+)"')
 _FROM_THE_CORNER = 1, -1, 1
 _OTHER_VIEWS = {"MeshResult": "VPFemMeshResult", "ConstraintElectrostaticPotential": "VPConstraintElectroStaticPotential"}   # than "VP" and the object's class
 _TURNED_TO_IT = "0.742906 0.307722 0.594473 1.21713"   # axis and angle of FreeCAD's isometric view
@@ -52,6 +53,8 @@ def open_document(path):
         raise UserError(said("{path:text} is not a FreeCAD document: it has no Document.xml", path=path))
     if damaged:
         raise UserError(said("{path:text} is damaged: {member:text} in it cannot be read", path=path, member=damaged))
+    with zipfile.ZipFile(path) as archive:
+        _refuse_no_room(archive, path)
     stamp = _stamp_of(path)
     try:
         document = FreeCAD.openDocument(path, True)
@@ -77,7 +80,7 @@ def save_document(document, path):
     _sweep(folder, name)
     temporary = os.path.join(folder, ".%s.%d.FCStd" % (name, os.getpid()))
     try:
-        document.saveCopy(temporary)
+        _save_copy(document, temporary)
         if document.FileName:
             _keep_links(temporary, os.path.dirname(os.path.realpath(document.FileName)), folder)
         if not FreeCAD.GuiUp:
@@ -96,6 +99,15 @@ def save_document(document, path):
         raise
     finally:
         _remove([name for name in os.listdir(folder) if name.startswith(os.path.basename(temporary))], folder)
+
+
+def _save_copy(document, path):
+    try:
+        document.saveCopy(path)
+    except Exception as error:
+        if "UNV" not in str(error):
+            raise
+        raise UserError(said("FreeCAD cannot write a mesh to the folder for temporary files, {folder:text}; is it full?", folder=FreeCAD.getTempPath())) from error
 
 
 def _refuse_to_lose(document, path):
@@ -137,12 +149,30 @@ def _is_whole(xml):
 
 def _refuse_half_written(path):
     """FreeCAD says nothing when the disk is full: every member is read back, with its checksum."""
-    with zipfile.ZipFile(path) as archive:
-        if "Document.xml" not in archive.namelist():
-            raise UserError(said("FreeCAD wrote no document"))
-        damaged = archive.testzip()
+    try:
+        with zipfile.ZipFile(path) as archive:
+            if "Document.xml" not in archive.namelist():
+                raise UserError(said("FreeCAD wrote no document"))
+            damaged = archive.testzip()
+    except zipfile.BadZipFile:
+        damaged = os.path.basename(path)
     if damaged:
         raise UserError(said("{member:text} did not arrive on the disk whole; is it full?", member=damaged))
+
+
+def _refuse_no_room(archive, path):
+    """FreeCAD reads each mesh by way of a temporary file, and says nothing where that is cut off."""
+    folder, meshes = FreeCAD.getTempPath(), [name.decode() for name in _MESH.findall(archive.read("Document.xml"))]
+    needed = max((archive.getinfo(name).file_size for name in meshes if name in archive.namelist()), default=0)
+    room = shutil.disk_usage(folder).free if os.access(folder, os.W_OK) else 0
+    if needed > room:
+        raise UserError(said("FreeCAD cannot read the meshes of {path:text}: that takes {needed:number} MB in the folder for temporary files, {folder:text}, where "
+                             "{room:number} MB can be written; make room, or set TMPDIR to another folder", path=path, needed=_megabytes(needed), folder=folder,
+                             room=_megabytes(room)))
+
+
+def _megabytes(count):
+    return round(count / 1e6, 1)
 
 
 def _to_disk(path):

@@ -190,16 +190,14 @@ def _for_each(function, *columns):
 
 
 def reopened(fem_mesh, arrays, groups_anew):
-    """The mesh as it was saved, from what FreeCAD made of it when it opened the document (numbers without gaps), or where FreeCAD did not save it from
-    the arrays and `groups_anew()`.
-
-    None when nothing has to be done, or when `arrays` are not of this mesh.
+    """The mesh as it was saved, from what FreeCAD made of it when it opened the document (numbers without gaps), or where FreeCAD did not save all of it,
+    or found no room to read all of it, from the arrays and `groups_anew()`. None when nothing has to be done.
     """
-    if not fem_mesh.NodeCount and len(arrays["node_numbers"]):
+    if not has_as_many(fem_mesh, arrays):
         return build(arrays, groups_anew())
-    elements = _element_numbers(arrays)
-    if not has_gaps(arrays) or not has_as_many(fem_mesh, arrays):
+    if not has_gaps(arrays):
         return None
+    elements = _element_numbers(arrays)
     nodes, elements = np.sort(arrays["node_numbers"]), np.sort(elements)
     groups = []
     for group in fem_mesh.Groups:

@@ -479,6 +479,14 @@
       <translation>FreeCAD kann {path:text} nicht öffnen: {why:messages}</translation>
     </message>
     <message>
+      <source>FreeCAD cannot read the meshes of {path:text}: that takes {needed:number} MB in the folder for temporary files, {folder:text}, where {room:number} MB can be written; make room, or set TMPDIR to another folder</source>
+      <translation>FreeCAD kann die Netze von {path:text} nicht lesen: Das braucht {needed:number} MB im Ordner für temporäre Dateien, {folder:text}, in den {room:number} MB geschrieben werden können; Platz schaffen oder TMPDIR auf einen anderen Ordner setzen</translation>
+    </message>
+    <message>
+      <source>FreeCAD cannot write a mesh to the folder for temporary files, {folder:text}; is it full?</source>
+      <translation>FreeCAD kann kein Netz in den Ordner für temporäre Dateien, {folder:text}, schreiben; ist er voll?</translation>
+    </message>
+    <message>
       <source>FreeCAD could not write CalculiX's input for {analysis:text}: {why:text}; is there a load of 0, on nothing, or on a face and an edge at once?</source>
       <translation>FreeCAD konnte die Eingabe für CalculiX zu {analysis:text} nicht schreiben: {why:text}; gibt es eine Last von 0, auf nichts, oder auf einer Fläche und einer Kante zugleich?</translation>
     </message>
