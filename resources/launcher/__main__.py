@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`featuremesh COMMAND ...`: sets up what is missing, then runs. Exit code 0 for success, 2 for the user's error, 1 for ours, 3 where
 something cannot be had on this machine, 130 when it was cancelled."""
+import errno
 import os
 import signal
 import sys
@@ -40,6 +41,11 @@ def main():
     except Unavailable as error:
         print(f"featuremesh {given.command}: {error}", file=sys.stderr)
         return 3
+    except OSError as error:
+        if error.errno not in (errno.ENOSPC, errno.EDQUOT) and "temporary directory" not in str(error):
+            raise
+        print(f"featuremesh {given.command}: the disk is full ({error})", file=sys.stderr)
+        return 1
     except KeyboardInterrupt:
         print(f"\nfeaturemesh {given.command}: cancelled", file=sys.stderr)
         return CANCELLED

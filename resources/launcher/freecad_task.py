@@ -18,23 +18,25 @@ from setup_log import end_of
 
 TASK_SCRIPT = WORKBENCH / "freecad" / "featuremesh" / "cli.py"
 MARK = "featuremesh:"
+RESULT_NOT_WRITTEN = 4   # exit code of TASK_SCRIPT
 
 
 def run_task(task):
     """The result of a task: {"exit_code", "message", "data"}."""
     inherited = (task["output"],) if "output" in task else ()
-    return run_script(TASK_SCRIPT, {"FEATUREMESH_TASK": json.dumps(task)}, inherited=inherited)
+    kept = {"TMPDIR": tempfile.gettempdir()} if task["command"] == "run" else {}   # a script of the user may tell where it put something
+    return run_script(TASK_SCRIPT, {"FEATUREMESH_TASK": json.dumps(task), **kept}, inherited=inherited)
 
 
 def run_script(script, variables, lines_to=None, inherited=()):
     """Runs a script inside freecadcmd and gives the JSON object that it wrote to the file named by FEATUREMESH_RESULT.
 
     Lines of its standard error that start with `featuremesh:` are progress on a terminal, or go to `lines_to` as they come. It inherits
-    the descriptors `inherited`.
+    the descriptors `inherited`. Its temporary files are gone afterwards, also where it was ended, unless `variables` name a folder for them.
     """
-    with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
+    with tempfile.TemporaryDirectory(prefix="featuremesh-", ignore_cleanup_errors=True) as folder:
         result_file, log_file = Path(folder) / "result.json", Path(folder) / FREECAD_LOG.name
-        environment = freecad_environment(FEATUREMESH_RESULT=str(result_file), **variables)
+        environment = freecad_environment(FEATUREMESH_RESULT=str(result_file), **{"TMPDIR": folder, **variables})
         command = [freecadcmd(), str(script), f"--module-path={WORKBENCH}"]
         with open(log_file, "w", encoding="utf-8") as log, subprocess.Popen(
                 command, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.PIPE,
@@ -46,8 +48,11 @@ def run_script(script, variables, lines_to=None, inherited=()):
                 raise
         code, log_end = process.returncode, end_of(log_file)
         keep(log_file)
+        if code == RESULT_NOT_WRITTEN:
+            raise Failure(f"there is no room in the folder for temporary files ({tempfile.gettempdir()}), so what FreeCAD did cannot be told; look whether the "
+                          "file that it was to write is there, make room, and do this again")
         if not result_file.is_file():
-            raise Failure(f"FreeCAD {how_it_ended(code)} before it was done, and no file was changed; "
+            raise Failure(f"FreeCAD {how_it_ended(code)} before it was done, and no file was changed; {no_home()}"
                           f"the end of what it said (all of it is in {FREECAD_LOG}):\n{log_end}")
         return json.loads(result_file.read_text(encoding="utf-8"))
 
@@ -59,10 +64,11 @@ def keep(log_file):
 
 
 def freecad_environment(**variables):
-    """FreeCAD needs a UTF-8 locale; the workbench is told where the engine is, and plain Python finds it on its path."""
+    """FreeCAD needs a UTF-8 locale, and a folder for temporary files that is there; the workbench is told where the engine is, and plain Python finds it on
+    its path."""
     engine = str(RELEASE / "bindings")
     path = os.pathsep.join(filter(None, [engine, os.environ.get("PYTHONPATH", "")]))
-    return {**os.environ, "FEATUREMESH_ENGINE": engine, "PYTHONPATH": path, "LC_ALL": "C.UTF-8", **variables}
+    return {**os.environ, "FEATUREMESH_ENGINE": engine, "PYTHONPATH": path, "LC_ALL": "C.UTF-8", "TMPDIR": tempfile.gettempdir(), **variables}
 
 
 def window_environment():
@@ -110,9 +116,18 @@ class ProgressLine:
             print("\r", end="", file=sys.stderr, flush=True)
 
 
+def no_home():
+    """Where FreeCAD cannot make its folders it crashes while it starts, without a word of why."""
+    name = "FREECAD_USER_HOME" if "FREECAD_USER_HOME" in os.environ else "HOME"
+    home = os.path.expanduser(os.environ.get(name, "~"))
+    return "" if os.access(home, os.W_OK) else f"it needs a folder for its settings, and nothing can be written to {home}: set {name} to another one; "
+
+
 def how_it_ended(code):
     if code >= 0:
         return f"ended with exit code {code}"
+    if code == -signal.SIGKILL:
+        return "was ended from outside (SIGKILL), as where memory runs out,"
     try:
         return f"crashed ({signal.Signals(-code).name})"
     except ValueError:

@@ -35,6 +35,15 @@ class Tasks(unittest.TestCase):
             FreeCAD.closeDocument(name)
         return cli.run(task)
 
+    def test_what_was_done_and_cannot_be_told_is_another_exit(self):
+        """FreeCAD would run the task once more, and say that it was not done."""
+        ended = []
+        with mock.patch.dict(os.environ, FEATUREMESH_TASK='{"command": "none"}', FEATUREMESH_RESULT=self.path("no/folder/result.json")), \
+                mock.patch("freecad.featuremesh.parent_process.end_with"), mock.patch.object(cli, "run", lambda task: {"exit_code": 0}), \
+                mock.patch.object(os, "_exit", ended.append):
+            cli.run_from_environment()
+        self.assertEqual(ended, [cli.RESULT_NOT_WRITTEN])
+
     def done(self, **task):
         result = self.run_task(**task)
         self.assertEqual(result["exit_code"], 0, result["message"])

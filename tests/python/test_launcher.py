@@ -180,6 +180,23 @@ class FreecadTask(unittest.TestCase):
         with self.assertRaisesRegex(Failure, r"(?s)SIGSEGV.*no file was changed.*last words"):
             self.run_with("echo last words >&2; kill -SEGV $$")
 
+        with self.assertRaisesRegex(Failure, r"ended from outside \(SIGKILL\), as where memory runs out"):
+            self.run_with("kill -KILL $$")
+
+    def test_temporary_files_are_gone_afterwards_and_have_a_folder_in_any_case(self):
+        with mock.patch.dict(os.environ, TMPDIR="/no/such/folder"), mock.patch.object(tempfile, "tempdir", None):
+            made = self.run_with("""echo "{\\"path\\": \\"$TMPDIR\\"}" > $FEATUREMESH_RESULT; touch $TMPDIR/left""")["path"]
+            self.assertFalse(os.path.exists(made))
+            self.assertEqual(freecad_task.freecad_environment()["TMPDIR"], tempfile.gettempdir())
+            self.assertTrue(made.startswith(tempfile.gettempdir()))
+
+    def test_what_keeps_freecad_from_telling_or_starting_is_said(self):
+        with self.assertRaisesRegex(Failure, "no room in the folder for temporary files"):
+            self.run_with("exit 4")
+        with mock.patch.dict(os.environ, HOME="/no/such/home"), self.assertRaisesRegex(Failure, "nothing can be written to /no/such/home: set HOME"):
+            os.environ.pop("FREECAD_USER_HOME", None)
+            self.run_with("exit 1")
+
     def test_a_log_that_cannot_be_kept_is_no_failure(self):
         with mock.patch.object(shutil, "copyfile", side_effect=PermissionError):
             self.assertEqual(self.run_with("echo '{}' > $FEATUREMESH_RESULT"), {})

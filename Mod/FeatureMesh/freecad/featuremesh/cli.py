@@ -10,17 +10,24 @@ import os
 import sys
 import traceback
 
+RESULT_NOT_WRITTEN = 4   # exit code, as resources/launcher/freecad_task.py has it
+
 
 def run_from_environment():
     """Runs the task, writes the result and ends the process with its exit code; without its launcher it ends at once."""
     from freecad.featuremesh import parent_process, whole_file
     parent_process.end_with(os.getppid())
     result = run(json.loads(os.environ["FEATUREMESH_TASK"]))
-    with whole_file.written(os.environ["FEATUREMESH_RESULT"]) as stream:
-        json.dump(result, stream)
+    code = result["exit_code"]
+    try:
+        with whole_file.written(os.environ["FEATUREMESH_RESULT"]) as stream:
+            json.dump(result, stream)
+    except OSError as error:   # FreeCAD would run the whole file once more
+        print(error, file=sys.stderr)
+        code = RESULT_NOT_WRITTEN
     sys.stdout.flush()
     sys.stderr.flush()
-    os._exit(result["exit_code"])  # FreeCAD's own shutdown can crash after the work is done
+    os._exit(code)  # FreeCAD's own shutdown can crash after the work is done
 
 
 def run(task):
