@@ -313,6 +313,14 @@ def check_beside_a_live_result(document, body, mesh):
     picture("zone_beside_a_live_result")
     click_in_panel("Cancel")
     assert [(obj, obj.ViewObject.Visibility) for obj in (body, mesh, live)] == seen
+    wait_for(lambda: not Gui.Control.activeDialog(), 20)
+    Gui.activeDocument().setEdit(mesh.Name)
+    wait_for(Gui.Control.activeDialog, 20)
+    spin()
+    type_into(panel("MeshPanel").size, "%g mm" % (1.5 * mesh.Size.Value))
+    click_in_panel("Ok")
+    wait_for(lambda: not Gui.Control.activeDialog(), 60)
+    assert [(obj, obj.ViewObject.Visibility) for obj in (body, mesh, live)] == seen
 
 
 def drive():

@@ -70,9 +70,9 @@ def restore(before):
 
 
 def show_mesh(mesh):
-    """Shows the mesh and hides what it is of."""
+    """Shows the mesh, unless a live result is seen in its place, and hides what it is of."""
     _set_visible(_meshed(mesh), False)
-    mesh.ViewObject.Visibility = True
+    mesh.ViewObject.Visibility = mesh.ViewObject.Visibility or not any(live.ViewObject.Visibility for live in _live_results_of(mesh))
 
 
 def show_result(live):
