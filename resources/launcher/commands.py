@@ -199,7 +199,9 @@ def gui(given):
     if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
         raise UserError("there is no screen (neither DISPLAY nor WAYLAND_DISPLAY is set)")
     set_up(packages.WINDOW_PACKAGES)
-    program = os.environ.get("FREECAD", "freecad")
+    program = os.environ.get("FREECAD") or "freecad"
+    if not shutil.which(program):
+        raise Failure(f"FreeCAD's program {program} cannot be run; set FREECAD to another one")
     code = subprocess.run([program, first, f"--module-path={WORKBENCH}"], env=window_environment()).returncode
     if code:
         raise Failure(f"FreeCAD ended with exit code {code}")

@@ -77,7 +77,10 @@ def window_environment():
 
 
 def freecadcmd():
-    program = os.environ.get("FREECADCMD") or shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+    chosen = os.environ.get("FREECADCMD")
+    program = shutil.which(chosen) if chosen else shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+    if not program and chosen:
+        raise Failure(f"FREECADCMD is set to {chosen}, which cannot be run")
     if not program:
         raise Failure("freecadcmd is not installed; set FREECADCMD to FreeCAD's command line program")
     return program

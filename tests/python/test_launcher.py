@@ -191,6 +191,10 @@ class FreecadTask(unittest.TestCase):
             self.assertTrue(made.startswith(tempfile.gettempdir()))
 
     def test_what_keeps_freecad_from_telling_or_starting_is_said(self):
+        with mock.patch.dict(os.environ, FREECADCMD="/no/such/program"), self.assertRaisesRegex(Failure, "FREECADCMD is set to /no/such/program"):
+            freecad_task.freecadcmd()
+        with mock.patch.dict(os.environ, FREECAD="/no/such/program", DISPLAY=":0"), mock.patch.object(commands, "set_up"), self.assertRaisesRegex(Failure, "set FREECAD"):
+            commands.gui(parse(["gui"]))
         with self.assertRaisesRegex(Failure, "no room in the folder for temporary files"):
             self.run_with("exit 4")
         with mock.patch.dict(os.environ, HOME="/no/such/home"), self.assertRaisesRegex(Failure, "nothing can be written to /no/such/home: set HOME"):

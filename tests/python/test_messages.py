@@ -84,6 +84,7 @@ class Messages(unittest.TestCase):
     def test_an_error_of_freecads_is_said_without_its_wrapping(self):
         self.assertEqual(messages.of_error(ValueError({"sclassname": "N4Base10ValueErrorE", "sErrMsg": "no external\n object", "iline": 0})), "no external object")
         self.assertEqual(messages.of_error(OSError(2, "No such file")), "[Errno 2] No such file")
+        self.assertEqual(messages.english(messages.of_error(MemoryError("std::bad_alloc"))), "There is not enough memory for this mesh. Choose a larger size.")
 
     def test_each_kind_of_parameter(self):
         template = "; ".join("{a%s:%s}" % (kind, kind) for kind in OF_EACH_KIND if kind != "messages")

@@ -40,6 +40,8 @@ def close_names(name, known):
 
 def of_error(error):
     """What an error says: its message, or its text without line breaks. FreeCAD's own errors have theirs within a dict."""
+    if isinstance(error, MemoryError):
+        return said("There is not enough memory for this mesh. Choose a larger size.")
     first = error.args[0] if error.args else None
     words = first["sErrMsg"] if isinstance(first, dict) and "sErrMsg" in first else str(error)
     return getattr(error, "message", None) or " ".join(words.split()) or type(error).__name__
