@@ -4,6 +4,7 @@ import contextlib
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -202,7 +203,14 @@ def gui(given):
     program = os.environ.get("FREECAD") or "freecad"
     if not shutil.which(program):
         raise Failure(f"FreeCAD's program {program} cannot be run; set FREECAD to another one")
-    code = subprocess.run([program, first, f"--module-path={WORKBENCH}"], env=window_environment()).returncode
+    # Ctrl-C would end FreeCAD with all that is not saved.
+    signal.signal(signal.SIGINT, lambda *_: print("\nfeaturemesh gui: FreeCAD stays open; close it in its window", file=sys.stderr))
+    with subprocess.Popen([program, first, f"--module-path={WORKBENCH}"], env=window_environment(), start_new_session=True) as process:
+        try:
+            code = process.wait()
+        except KeyboardInterrupt:   # SIGTERM, see __main__.py
+            process.terminate()
+            raise
     if code:
         raise Failure(f"FreeCAD ended with exit code {code}")
     print("FreeCAD was closed")

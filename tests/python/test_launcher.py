@@ -201,6 +201,17 @@ class FreecadTask(unittest.TestCase):
             os.environ.pop("FREECAD_USER_HOME", None)
             self.run_with("exit 1")
 
+    def test_ctrl_c_leaves_the_window_open(self):
+        """FreeCAD would end with all that is not saved."""
+        self.addCleanup(signal.signal, signal.SIGINT, signal.getsignal(signal.SIGINT))
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as shown, contextlib.redirect_stdout(io.StringIO()):
+            program = Path(folder) / "freecad"
+            program.write_text(f"#!/bin/sh\nkill -INT {os.getpid()}; sleep 0.3; [ $(cut -d' ' -f6 /proc/$$/stat) = $$ ]", encoding="utf-8")
+            program.chmod(0o755)
+            with mock.patch.dict(os.environ, FREECAD=str(program), DISPLAY=":0"), mock.patch.object(commands, "set_up"):
+                self.assertEqual(commands.gui(parse(["gui"])), 0)
+        self.assertIn("FreeCAD stays open", shown.getvalue())
+
     def test_a_log_that_cannot_be_kept_is_no_failure(self):
         with mock.patch.object(shutil, "copyfile", side_effect=PermissionError):
             self.assertEqual(self.run_with("echo '{}' > $FEATUREMESH_RESULT"), {})
