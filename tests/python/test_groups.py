@@ -77,9 +77,9 @@ class GroupsFollow(MeshedPlate):
         self.document.undo()
         self.assertEqual(self.places(group.Name + "_Nodes"), {60})
         group.UseLabel = True
-        for label in ("Öse", "Face1", "A, b"):
+        for label, name in (("Öse", "Öse"), ("two\nlines", "two lines"), ("", group.Name), ("Face1", "Face1"), ("A, b", "A, b")):
             self.step(lambda label=label: setattr(group, "Label", label))
-            self.assertEqual({label, label + "_Nodes", "Fixed_Nodes", self.right + "_Nodes"}, set(groups_in_freecad(self.mesh)))
+            self.assertEqual({name, name + "_Nodes", "Fixed_Nodes", self.right + "_Nodes"}, set(groups_in_freecad(self.mesh)))
         self.document.undo()
         self.assertEqual(self.places("Face1_Nodes"), {60})
 

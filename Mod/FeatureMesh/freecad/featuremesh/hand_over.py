@@ -403,8 +403,8 @@ def remarks_on_groups(part_mesh, mesh, part, raw=None):
 
 
 def _name_of(group):
-    """What a mesh group object calls its groups."""
-    return group.Label if getattr(group, "UseLabel", False) else group.Name
+    """What a mesh group object calls its groups, in one line: FreeCAD would read a document with two for ever."""
+    return getattr(group, "UseLabel", False) and " ".join(group.Label.splitlines()) or group.Name
 
 
 def renumbered(arrays):
