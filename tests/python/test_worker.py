@@ -99,6 +99,15 @@ class InWorker(unittest.TestCase):
 
 class AnotherPlace(InWorker):
 
+    def test_ctrl_c_in_the_console_of_freecad_is_not_for_the_worker(self):
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))   # as in a window, also where tests ignore it
+        self.meshed()
+        process = engine.load().process_id
+        self.give(signal.SIGINT, "update_part")
+        self.edit()
+        self.assertFalse(os.path.exists(self.order))
+        self.assertEqual((self.document.FeatureMesh.Status, engine.load().process_id), (mesh_object.UP_TO_DATE, process))
+
     def test_what_is_being_made_is_done_where_it_was_begun(self):
         """The preference is changed meanwhile."""
         raw, steps = reading.read_document(self.body), []

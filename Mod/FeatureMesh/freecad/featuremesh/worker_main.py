@@ -18,6 +18,7 @@ import operator
 import os
 import pickle
 import queue
+import signal
 import struct
 import sys
 import threading
@@ -122,6 +123,7 @@ class Worker:
 
 
 def main(last_words, folder=None):
+    signal.signal(signal.SIGINT, signal.SIG_IGN)   # Ctrl-C in the console that FreeCAD was started from is for FreeCAD
     incoming = sys.stdin.buffer.raw
     outgoing = os.fdopen(os.dup(1), "wb", buffering=0)
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)   # libraries that print must not disturb the messages
