@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What goes wrong around a mesh: damaged states, a process killed while it saves, a full disk. Each is a clear message, and no document is lost."""
+import contextlib
+import io
 import json
+import logging
 import os
 import random
 import resource
@@ -16,7 +19,7 @@ from unittest import mock
 
 import FreeCAD
 import numpy as np
-from freecad.featuremesh import api, documents, export, mesh_object, picture_process, state, worker
+from freecad.featuremesh import api, documents, export, log, mesh_object, picture_process, state, worker
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from parts import new_document, plate_with_hole
@@ -238,6 +241,13 @@ class Faults(unittest.TestCase):
                         self.assertEqual(stream.read(), before)
                 os.unlink(path)
         self.assertEqual(os.listdir(self.folder), [])
+
+    def test_a_line_of_the_log_for_which_there_is_no_room_is_lost_in_silence(self):
+        log.write("the first line opens it")
+        handler = logging.getLogger("featuremesh").handlers[0]
+        with mock.patch.object(handler, "flush", side_effect=OSError(28, "No space left on device")), contextlib.redirect_stderr(io.StringIO()) as shown:
+            log.write("another line")
+        self.assertEqual(shown.getvalue(), "")
 
     def test_a_picture_that_cannot_be_drawn_says_why(self):
         """Of interpreters that fail the one that could draw tells the reason, not one without what drawing takes."""

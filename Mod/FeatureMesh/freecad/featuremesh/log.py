@@ -49,5 +49,6 @@ def _opened():
         handler = logging.handlers.RotatingFileHandler(path(), maxBytes=1 << 20, backupCount=1, encoding="utf-8")
     except OSError:
         return logging.NullHandler()
+    handler.handleError = lambda record: None   # where the disk is full a line is lost, and nothing is said of it
     handler.setFormatter(logging.Formatter("%(asctime)s %(process)d %(levelname)s %(message)s"))
     return handler
