@@ -30,6 +30,11 @@ def main():
     signal.signal(signal.SIGTERM, interrupt)  # whoever ends the launcher ends what it started
     given = parse(sys.argv[1:])
     try:
+        os.getcwd()
+    except FileNotFoundError:
+        print("featuremesh: the folder that it was started in is gone; change to another one", file=sys.stderr)
+        return 2
+    try:
         signal.signal(signal.SIGINT, signal.default_int_handler)
         return given.run(given)
     except UserError as error:

@@ -88,6 +88,11 @@ class CommandLine(unittest.TestCase):
                 os.environ.pop(name, None)
             self.assertRaisesRegex(UserError, "there is no screen", given.run, given)
 
+    def test_a_folder_that_is_gone_is_said(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run(["sh", "-c", f"mkdir gone; cd gone; rmdir ../gone; exec {LAUNCHER} about 2>&1 | tail -n 1"], cwd=folder, stdout=subprocess.PIPE, text=True)
+        self.assertEqual(done.stdout, "featuremesh: the folder that it was started in is gone; change to another one\n")
+
     def test_the_version_is_told(self):
         done = run("--version")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
