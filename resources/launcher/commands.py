@@ -20,7 +20,7 @@ import streams
 import tidy
 import wheels
 from engine_build import ALL, IN_FREECAD, PYTHON, processes_at_once, set_up
-from freecad_task import freecad_environment, run_script, run_task, window_environment
+from freecad_task import freecad_environment, how_it_ended, no_home, run_script, run_task, window_environment
 from layout import EXAMPLES, RELEASE, ROOT, WORKBENCH, Failure, Unavailable, UserError
 from setup_log import say
 
@@ -212,7 +212,7 @@ def gui(given):
             process.terminate()
             raise
     if code:
-        raise Failure(f"FreeCAD ended with exit code {code}")
+        raise Failure(f"FreeCAD {how_it_ended(code)}{no_home()}")
     print("FreeCAD was closed")
     return 0
 

@@ -52,7 +52,7 @@ def run_script(script, variables, lines_to=None, inherited=()):
             raise Failure(f"there is no room in the folder for temporary files ({tempfile.gettempdir()}), so what FreeCAD did cannot be told; look whether the "
                           "file that it was to write is there, make room, and do this again")
         if not result_file.is_file():
-            raise Failure(f"FreeCAD {how_it_ended(code)} before it was done, and no file was changed; {no_home()}"
+            raise Failure(f"FreeCAD {how_it_ended(code)} before it was done, and no file was changed{no_home()}; "
                           f"the end of what it said (all of it is in {FREECAD_LOG}):\n{log_end}")
         return json.loads(result_file.read_text(encoding="utf-8"))
 
@@ -123,14 +123,14 @@ def no_home():
     """Where FreeCAD cannot make its folders it crashes while it starts, without a word of why."""
     name = "FREECAD_USER_HOME" if "FREECAD_USER_HOME" in os.environ else "HOME"
     home = os.path.expanduser(os.environ.get(name, "~"))
-    return "" if os.access(home, os.W_OK) else f"it needs a folder for its settings, and nothing can be written to {home}: set {name} to another one; "
+    return "" if os.access(home, os.W_OK) else f"; it needs a folder for its settings, and nothing can be written to {home}: set {name} to another one"
 
 
 def how_it_ended(code):
     if code >= 0:
         return f"ended with exit code {code}"
     if code == -signal.SIGKILL:
-        return "was ended from outside (SIGKILL), as where memory runs out,"
+        return "was ended from outside (SIGKILL; perhaps memory ran out)"
     try:
         return f"crashed ({signal.Signals(-code).name})"
     except ValueError:
