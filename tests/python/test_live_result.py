@@ -28,6 +28,14 @@ import update_translations  # noqa: E402
 _ERRORS = ("UserError", "NotUnderstood", "CanMove")
 
 
+def cut_meshes_short(path):
+    with zipfile.ZipFile(path) as whole:
+        members = {name: whole.read(name) for name in whole.namelist()}
+    with zipfile.ZipFile(path, "w") as cut:
+        for name, content in members.items():
+            cut.writestr(name, content[:len(content) * 2 // 3] if name.endswith(".unv") else content)
+
+
 def in_german():
     """Qt's translate as in a German window."""
     known = update_translations.read(update_translations.FOLDER / "FeatureMesh_de.ts")
@@ -341,10 +349,12 @@ class Live(Case):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "part.FCStd")
             self.document.saveAs(path)
+            found = contents(live.Result.Mesh.FemMesh)
             FreeCAD.closeDocument(self.document.Name)
+            cut_meshes_short(path)   # as FreeCAD reads them where temporary files have too little room
             self.document = FreeCAD.openDocument(path)
             live = self.document.Live
-            self.assertEqual((live.Status, live.MaxMises), (live_result.UP_TO_DATE, largest))
+            self.assertEqual((live.Status, live.MaxMises, contents(live.Result.Mesh.FemMesh)), (live_result.UP_TO_DATE, largest, found))
             self.assertAlmostEqual(live.Proxy.shown(live).von_mises.max(), largest, places=9)
             self.document.Box.Length = 44
             self.document.recompute()

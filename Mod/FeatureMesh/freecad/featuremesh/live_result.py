@@ -202,9 +202,11 @@ class LiveResult(Stateless):
             choose_form(result.Mesh, is_saved=not may_be_made or is_saved_for_freecad(mesh))
 
     def _bring_mesh_back(self, live):
-        """Gives the result the mesh that was not saved with it."""
+        """Gives the result the mesh that was not saved with it, or of which FreeCAD had no room to read all."""
         mesh, result = self.mesh(live), live.Result
-        if result is None or result.Mesh is None or result.Mesh.FemMesh.NodeCount or mesh is None or live.SolvedState != mesh.Proxy.state_of_mesh(mesh):
+        if result is None or result.Mesh is None or mesh is None or live.SolvedState != mesh.Proxy.state_of_mesh(mesh):
+            return
+        if (result.Mesh.FemMesh.NodeCount, result.Mesh.FemMesh.VolumeCount) == (mesh.NodeCount, mesh.TetCount):
             return
         untouched = [obj for obj in (result.Mesh, result, self.analysis(live)) if obj is not None and "Touched" not in obj.State]
         try:
