@@ -89,6 +89,19 @@ class Faults(unittest.TestCase):
         os.unlink(self.mesh.SavedState)
         self.assert_full_mesh_after_edit("no mesh state")
 
+    def test_a_cache_folder_that_was_emptied_keeps_nobody_from_saving(self):
+        """FreeCAD saves nothing of a document of which an included file is gone."""
+        nodes = dict(self.mesh.FemMesh.Nodes)
+        for is_in_memory in (True, False):
+            shutil.rmtree(self.document.TransientDir)
+            self.document.saveAs(self.path)
+            FreeCAD.closeDocument(self.document.Name)
+            self.document = documents.open_document(self.path)
+            self.mesh = self.document.getObject("FeatureMesh")
+            self.assertEqual((self.mesh.Status, dict(self.mesh.FemMesh.Nodes)), (mesh_object.UP_TO_DATE, nodes))
+            self.assertEqual(bool(state.checksum_of(self.mesh.SavedState)), is_in_memory)
+        self.assert_full_mesh_after_edit("no mesh state")
+
     def test_state_cut_short(self):
         self.reopen()
         self.put_state(self.state_bytes()[:-2000])

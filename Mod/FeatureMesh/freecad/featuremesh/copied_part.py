@@ -3,6 +3,8 @@
 
 from collections import defaultdict, deque
 
+from .reading import has_shape, read_document
+
 
 def with_names_of(today, saved):
     """The part of a saved state with the names that its objects have `today` (both as reading.read_document gives them); None where it is another part."""
@@ -14,6 +16,12 @@ def with_names_of(today, saved):
     return {**saved, "final_object": today["final_object"], "records": [{
         **record, "name": names.get(record["name"], record["name"]),
         "links": [(prop, names.get(target, target), sub) for prop, target, sub in record["links"]]} for record in saved["records"]]}
+
+
+def take_todays_names(saved, part):
+    """Of a state that came with a copy of its part."""
+    if part is not None and saved.part_name != part.Name and has_shape(part):
+        saved.raw = with_names_of(read_document(part), saved.raw) or saved.raw
 
 
 def _names_by_links(now, then, names):

@@ -105,6 +105,8 @@ class _Observer:
     def slotStartSaveDocument(self, document, _):
         for mesh in _missed_an_edit(document):
             mesh.Status = OUT_OF_DATE
+        for mesh in filter(_is_ours, document.Objects):
+            mesh.Proxy.keep_state(mesh)
 
     def slotRecomputedObject(self, obj):
         _left_touched.setdefault(obj.Document.Name, set()).add(obj.Name)

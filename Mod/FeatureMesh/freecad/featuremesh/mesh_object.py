@@ -258,13 +258,18 @@ class FeatureMesh(Stateless):
         """The same when the mesh is that of its part as it is, else ""."""
         return self.state_of_mesh(mesh) if is_of_its_part(mesh) and not self.missed_an_edit(mesh) else ""
 
+    def keep_state(self, mesh):
+        """To be called before the document is saved: FreeCAD saves nothing of it where the file of the state is gone."""
+        is_at_hand = self._part_mesh is not None and self._checksum == mesh.StateName
+        state_property.keep(mesh, state.State(self._raw, self._options, self._part_mesh.arrays()) if is_at_hand else None)
+
     def last_part_mesh(self, mesh):
         """The engine's mesh as it is now, from memory or from the saved state. Throws StateError."""
         checksum = state.checksum_of(mesh.SavedState)
         if not self._has_in_memory(checksum):
             saved = self._load(mesh)
             self._part_mesh = engine.load().restore_part(saved.raw, saved.options, saved.arrays)
-            self._checksum = checksum
+            self._checksum, self._options = checksum, saved.options
         return self._part_mesh
 
     def arrays(self, mesh):
@@ -416,7 +421,7 @@ class FeatureMesh(Stateless):
     def _load(self, mesh):
         """The saved state. Throws StateError."""
         saved, part = state.load(mesh.SavedState), versions.part_of(mesh)
-        _take_todays_names(saved, part)
+        copied_part.take_todays_names(saved, part)
         if part is not None and saved.part_name != part.Name:
             raise StateError(said("the saved mesh state belongs to {other:text}, not to {part:text}", other=saved.part_name, part=part.Name))
         if self._elements is not None:
@@ -439,7 +444,7 @@ class FeatureMesh(Stateless):
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
             return
         part = versions.part_of(mesh)
-        _take_todays_names(saved, part)
+        copied_part.take_todays_names(saved, part)
         self._noted.load(mesh)
         self._elements = elements_of_today(saved.raw, mesh.Document)
         if is_of_its_part(mesh) and part is not None:
@@ -525,11 +530,11 @@ class FeatureMesh(Stateless):
         if job.kept_all(saved.arrays):
             results.mesh_is_as_before(mesh, before, checksum)
         self._checksum = self._shown = checksum
-        self._part_mesh, self._raw = job.part_mesh, job.raw
+        self._part_mesh, self._raw, self._options = job.part_mesh, job.raw, job.options
 
     def _forget(self):
         self._part_mesh = None   # the engine's mesh, while it is in memory
-        self._raw = None         # what it was made from
+        self._raw = self._options = None   # what it was made from
         self._shape = None       # the part's shape then
         self._elements = None    # sketch elements of a saved state, with today's ids
         self._noted = NotedParts()   # by which is followed what was chosen after the last mesh
@@ -546,12 +551,6 @@ class FeatureMesh(Stateless):
             part.install()
         for hook in on_ready:
             hook(mesh)
-
-
-def _take_todays_names(saved, part):
-    """Of a state that came with a copy of its part."""
-    if part is not None and saved.part_name != part.Name and has_shape(part):
-        saved.raw = copied_part.with_names_of(read_document(part), saved.raw) or saved.raw
 
 
 def _show_in_other_analyses(mesh):

@@ -134,7 +134,7 @@ def next_numbers_of(path):
 
 
 def _read_members(path):
-    if not path or not os.path.isfile(path):
+    if not path or not os.path.isfile(path) or not os.path.getsize(path):
         raise StateError(said("the document holds no mesh state"))
     try:
         with np.load(path, allow_pickle=False) as archive:

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The file of a mesh's saved state within its document: FreeCAD copies, renames and loses it, and a mesh must have its own all the same."""
 
+import contextlib
 import os
 import shutil
 import tempfile
@@ -9,6 +10,7 @@ import threading
 import FreeCAD
 
 from . import state
+from .mesh_properties import choose_form
 
 _NAMED_BY = 16   # digits of its checksum that name a state's file
 _LARGE = 10_000_000   # bytes, of 250 000 tets; FreeCAD copies them one by one into a document and compresses them, while the window waits
@@ -52,6 +54,21 @@ def bring_back(mesh):
     if found is not None:
         with tempfile.TemporaryDirectory(prefix="featuremesh-") as own:
             mesh.SavedState = shutil.copy(found, own), _file_name(mesh, wanted)
+
+
+def keep(mesh, saved):
+    """Where the file of the state is gone, as with a cache folder that was emptied, it is written again from `saved`; without that (None) the next mesh is one
+    from scratch, and FreeCAD's form of this one is saved in any case."""
+    path = os.path.join(mesh.Document.TransientDir, os.path.basename(mesh.SavedState))   # SavedState still names the folder from before *Save As*
+    if not mesh.SavedState or os.path.exists(mesh.SavedState) or os.path.exists(path):
+        return
+    with contextlib.suppress(OSError):   # FreeCAD says that it cannot save
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        if saved is None:
+            open(path, "wb").close()
+            choose_form(mesh, is_saved=True)
+        else:
+            state.save(path, saved)
 
 
 def next_numbers(mesh, state_is_sound):
