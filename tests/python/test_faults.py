@@ -100,6 +100,7 @@ class Faults(unittest.TestCase):
             self.mesh = self.document.getObject("FeatureMesh")
             self.assertEqual((self.mesh.Status, dict(self.mesh.FemMesh.Nodes)), (mesh_object.UP_TO_DATE, nodes))
             self.assertEqual(bool(state.checksum_of(self.mesh.SavedState)), is_in_memory)
+        shutil.rmtree(self.document.TransientDir)
         self.assert_full_mesh_after_edit("no mesh state")
 
     def test_state_cut_short(self):

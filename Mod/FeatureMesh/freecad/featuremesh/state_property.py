@@ -22,6 +22,7 @@ def put(mesh, saved):
     with tempfile.TemporaryDirectory(prefix="featuremesh-") as folder:
         path = os.path.join(folder, mesh.Name + ".npz")
         checksum = state.save(path, saved)
+        os.makedirs(mesh.Document.TransientDir, exist_ok=True)   # somebody may have emptied FreeCAD's cache folder
         mesh.SavedState = path, _file_name(mesh, checksum)
     mesh.StateName = checksum
     if FreeCAD.GuiUp and os.path.getsize(mesh.SavedState) > _LARGE:
