@@ -19,7 +19,7 @@ from unittest import mock
 
 import FreeCAD
 import numpy as np
-from freecad.featuremesh import api, documents, export, log, mesh_object, picture_process, state, worker
+from freecad.featuremesh import api, documents, export, log, mesh_object, picture_process, state, temporary_room, worker
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from parts import new_document, plate_with_hole
@@ -227,6 +227,13 @@ class Faults(unittest.TestCase):
         self.full_disk(size - 5000)
         with self.assertRaisesRegex(UserError, "FreeCAD cannot write a mesh to the folder for temporary files"):
             documents.save_document(self.document, again)
+        told = []
+        for free in (size // 2, size):   # what the window says before FreeCAD's "Output file not good"
+            with mock.patch.object(shutil, "disk_usage", lambda folder, free=free: mock.Mock(free=free)), \
+                    mock.patch.object(FreeCAD, "Console", mock.Mock(wraps=FreeCAD.Console, PrintError=told.append)):
+                temporary_room.tell_before_saving(self.document)
+        self.assertEqual(len(told), 1)
+        self.assertRegex(told[0], "^FeatureMesh cannot be saved: that takes .* MB in the folder for temporary files")
         FreeCAD.closeDocument(self.document.Name)
         self.document = documents.open_document(self.path)
         self.doCleanups_of_limit()

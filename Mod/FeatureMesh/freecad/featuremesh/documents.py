@@ -14,7 +14,7 @@ from xml.sax.saxutils import escape, quoteattr, unescape
 
 import FreeCAD
 
-from . import analyses, orphans, reading, versions
+from . import analyses, orphans, reading, temporary_room, versions
 from .errors import UserError
 from .messages import of_error, said
 
@@ -23,7 +23,6 @@ _OBJECT = re.compile(r'<Object type="([^"]*)" name="([^"]*)"')   # in the list o
 _QUOTES = {"&quot;": '"', "&apos;": "'"}
 # By the name of each document that was opened.
 _opened = {}
-_MESH = re.compile(rb'<FemMesh file="([^"]+)"')
 _FROM_THE_CORNER = 1, -1, 1
 _OTHER_VIEWS = {"MeshResult": "VPFemMeshResult", "ConstraintElectrostaticPotential": "VPConstraintElectroStaticPotential"}   # than "VP" and the object's class
 _TURNED_TO_IT = "0.742906 0.307722 0.594473 1.21713"   # axis and angle of FreeCAD's isometric view
@@ -54,7 +53,7 @@ def open_document(path):
     if damaged:
         raise UserError(said("{path:text} is damaged: {member:text} in it cannot be read", path=path, member=damaged))
     with zipfile.ZipFile(path) as archive:
-        _refuse_no_room(archive, path)
+        temporary_room.refuse_to_read(archive, path)
     stamp = _stamp_of(path)
     try:
         document = FreeCAD.openDocument(path, True)
@@ -158,21 +157,6 @@ def _refuse_half_written(path):
         damaged = os.path.basename(path)
     if damaged:
         raise UserError(said("{member:text} did not arrive on the disk whole; is it full?", member=damaged))
-
-
-def _refuse_no_room(archive, path):
-    """FreeCAD reads each mesh by way of a temporary file, and says nothing where that is cut off."""
-    folder, meshes = FreeCAD.getTempPath(), [name.decode() for name in _MESH.findall(archive.read("Document.xml"))]
-    needed = max((archive.getinfo(name).file_size for name in meshes if name in archive.namelist()), default=0)
-    room = shutil.disk_usage(folder).free if os.access(folder, os.W_OK) else 0
-    if needed > room:
-        raise UserError(said("FreeCAD cannot read the meshes of {path:text}: that takes {needed:number} MB in the folder for temporary files, {folder:text}, where "
-                             "{room:number} MB can be written; make room, or set TMPDIR to another folder", path=path, needed=_megabytes(needed), folder=folder,
-                             room=_megabytes(room)))
-
-
-def _megabytes(count):
-    return round(count / 1e6, 1)
 
 
 def _to_disk(path):

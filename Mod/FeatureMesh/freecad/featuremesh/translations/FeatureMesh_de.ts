@@ -1749,6 +1749,10 @@
       <translation>{object:text} lässt sich nicht öffnen, solange ein Fenster offen ist; dieses erst schließen</translation>
     </message>
     <message>
+      <source>{object:text} cannot be saved: that takes {needed:number} MB in the folder for temporary files, {folder:text}, where {room:number} MB can be written; make room and save again</source>
+      <translation>{object:text} kann nicht gespeichert werden: Das braucht {needed:number} MB im Ordner für temporäre Dateien, {folder:text}, in den {room:number} MB geschrieben werden können; Platz schaffen und noch einmal speichern</translation>
+    </message>
+    <message>
       <source>{object:text} has no alias or cell {name:text}{near:messages}</source>
       <translation>{object:text} hat keinen Alias und keine Zelle {name:text}{near:messages}</translation>
     </message>
