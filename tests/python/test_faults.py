@@ -103,6 +103,21 @@ class Faults(unittest.TestCase):
         shutil.rmtree(self.document.TransientDir)
         self.assert_full_mesh_after_edit("no mesh state")
 
+    def test_a_mesh_of_which_nothing_can_be_read_is_not_up_to_date(self):
+        """As where the disk is full on which FreeCAD puts all that it reads."""
+        documents.save_document(self.document, self.path)
+        FreeCAD.closeDocument(self.document.Name)
+        with zipfile.ZipFile(self.path) as whole:
+            members = {name: whole.read(name) for name in whole.namelist()}
+        with zipfile.ZipFile(self.path, "w") as cut:
+            for name, content in members.items():
+                cut.writestr(name, content[:len(content) // 2] if name.endswith((".unv", ".npz")) else content)
+        self.document = documents.open_document(self.path)
+        self.mesh = self.document.getObject("FeatureMesh")
+        self.assertRegex(self.mesh.Status, "failed: the saved mesh state is damaged")
+        api.update_mesh(self.mesh)
+        self.assertEqual((self.mesh.Status, self.mesh.FemMesh.VolumeCount), (mesh_object.UP_TO_DATE, self.mesh.TetCount))
+
     def test_state_cut_short(self):
         self.reopen()
         self.put_state(self.state_bytes()[:-2000])

@@ -15,8 +15,8 @@ from .given_mesh import give
 from .job import MeshJob
 from .lost_references import LostReferences
 from .messages import said
-from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, NOT_MESHED, OPTION_OF, OUT_OF_DATE, SETTINGS_CHANGED, UP_TO_DATE,
-                              choose_form, differ_from_mesh, element_count, failed, failure_of, is_of_its_part, is_saved_for_freecad, remarks_on_form, settings_of,
+from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, NOT_MESHED, OPTION_OF, OUT_OF_DATE, SETTINGS_CHANGED, UP_TO_DATE, choose_form,
+                              differ_from_mesh, element_count, failed, failure_of, has_all_elements, is_of_its_part, is_saved_for_freecad, remarks_on_form, settings_of,
                               show_report, status_after, status_in_words)
 from .noted_parts import NotedParts
 from .numbering import Numbering
@@ -87,7 +87,7 @@ class FeatureMesh(Stateless):
             self._miss_the_engine(mesh)
             state_property.have_own(mesh)
             self._shown = state.checksum_of(mesh.SavedState)
-            if self._shown:
+            if mesh.SavedState:
                 self._restore(mesh, opened)
 
     def loads(self, saved):
@@ -442,6 +442,7 @@ class FeatureMesh(Stateless):
             saved = state.load(mesh.SavedState)
         except StateError as error:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, error))
+            mesh.Status = mesh.Status if has_all_elements(mesh) else failed(mesh, error)
             return
         part = versions.part_of(mesh)
         copied_part.take_todays_names(saved, part)

@@ -159,6 +159,12 @@ def element_count(report):
     return int(report[{"faces": "triangles", "edges": "segments"}.get(report.get("dimension"), "tets")])
 
 
+def has_all_elements(mesh):
+    """Has FreeCAD the mesh that the properties tell of?"""
+    fem_mesh = mesh.FemMesh
+    return (mesh.NodeCount, mesh.TetCount) == (fem_mesh.NodeCount, fem_mesh.VolumeCount or fem_mesh.FaceCount or fem_mesh.EdgeCount)
+
+
 def show_report(mesh, report):
     """Sets the properties that tell of a mesh."""
     report.setdefault("fallback", None)
