@@ -20,7 +20,7 @@ from unittest import mock
 import FreeCAD
 import numpy as np
 from freecad.featuremesh import api, documents, export, log, mesh_object, picture_process, state, temporary_room, worker
-from freecad.featuremesh.errors import UserError
+from freecad.featuremesh.errors import StateError, UserError
 from freecad.featuremesh.messages import english
 from parts import new_document, plate_with_hole
 
@@ -115,6 +115,8 @@ class Faults(unittest.TestCase):
         self.document = documents.open_document(self.path)
         self.mesh = self.document.getObject("FeatureMesh")
         self.assertRegex(self.mesh.Status, "failed: the saved mesh state is damaged")
+        with mock.patch.object(shutil, "disk_usage", lambda folder: mock.Mock(free=4096)), self.assertRaisesRegex(StateError, "there was no room in .*FreeCAD_Doc"):
+            state.load(self.mesh.SavedState)
         api.update_mesh(self.mesh)
         self.assertEqual((self.mesh.Status, self.mesh.FemMesh.VolumeCount), (mesh_object.UP_TO_DATE, self.mesh.TetCount))
 

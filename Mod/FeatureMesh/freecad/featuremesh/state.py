@@ -23,6 +23,7 @@ from .messages import said
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _DAMAGED = QT_TRANSLATE_NOOP("FeatureMesh", "the saved mesh state is damaged ({why:messages})")
 SCHEMA = 3
+_NO_ROOM = 1 << 16   # bytes; a disk with less is full
 _PIECE = 1 << 22   # bytes that are compressed at a time
 
 
@@ -144,6 +145,9 @@ def _read_members(path):
     except StateError:
         raise
     except Exception as error:  # a damaged zip or array header shows in a dozen exception types
+        folder = os.path.dirname(path)
+        if shutil.disk_usage(folder).free < _NO_ROOM:
+            raise StateError(said("there was no room in {folder:text} for all of the saved mesh state; make room and open the document again", folder=folder)) from error
         raise StateError(said(_DAMAGED, why=str(error))) from error
 
 

@@ -1521,6 +1521,10 @@
       <translation>{name:text} gibt es nicht</translation>
     </message>
     <message>
+      <source>there was no room in {folder:text} for all of the saved mesh state; make room and open the document again</source>
+      <translation>In {folder:text} war nicht für den ganzen gespeicherten Zustand des Netzes Platz; Platz schaffen und das Dokument noch einmal öffnen</translation>
+    </message>
+    <message>
       <source>thickness</source>
       <translation>Dicke</translation>
     </message>
