@@ -459,8 +459,20 @@ def check_adoption(api, document, body, mesh):
     return adopted
 
 
+def check_half_saved(document):
+    """That the end of a document did not arrive on the disk is told, and FreeCAD asks before it is closed."""
+    from freecad.featuremesh import disk_room
+    with tempfile.TemporaryDirectory() as folder, mock.patch.object(disk_room.zipfile, "is_zipfile", lambda path: False):
+        document.saveAs(os.path.join(folder, "half.FCStd"))
+        Gui.SendMsgToActiveView("Save")
+        wait_for(lambda: "was not saved as a whole" in messages[-1], 10)
+        spin()
+    assert Gui.getDocument(document.Name).Modified
+
+
 def check_german(main, document, mesh):
     """The window speaks the user's language as soon as it is chosen."""
+    check_half_saved(document)
     from freecad.featuremesh import mesh_object
     from freecad.featuremesh.gui import welcome
     Gui.setLocale("de")

@@ -19,7 +19,7 @@ from unittest import mock
 
 import FreeCAD
 import numpy as np
-from freecad.featuremesh import api, documents, export, log, mesh_object, picture_process, state, temporary_room, worker
+from freecad.featuremesh import api, documents, export, log, mesh_object, picture_process, state, disk_room, worker
 from freecad.featuremesh.errors import StateError, UserError
 from freecad.featuremesh.messages import english
 from parts import new_document, plate_with_hole
@@ -197,6 +197,19 @@ class Faults(unittest.TestCase):
         left = set(os.listdir(self.folder)) - {"__pycache__"}
         self.assertEqual(left, {"part.FCStd", "saving.py"})   # what the killed ones left is swept up
 
+    def test_full_disk_while_freecad_saves_a_document(self):
+        """It takes what is cut off for saved."""
+        told = []
+        self.mesh.SavedForFreeCAD = "Never"
+        with mock.patch.object(disk_room, "tell", lambda document, error: told.append(str(error))):
+            self.document.saveAs(self.path)
+            self.assertEqual(told, [])
+            self.full_disk(os.path.getsize(self.path) // 2)
+            self.document.save()
+            self.doCleanups_of_limit()
+        self.assertEqual(len(told), 1)
+        self.assertRegex(told[0], "part.FCStd was not saved as a whole; is the disk full")
+
     def test_a_link_stays_one_and_a_private_document_private(self):
         documents.save_document(self.document, self.path)
         os.chmod(self.path, 0o600)
@@ -248,7 +261,7 @@ class Faults(unittest.TestCase):
         for free in (size // 2, size):   # what the window says before FreeCAD's "Output file not good"
             with mock.patch.object(shutil, "disk_usage", lambda folder, free=free: mock.Mock(free=free)), \
                     mock.patch.object(FreeCAD, "Console", mock.Mock(wraps=FreeCAD.Console, PrintError=told.append)):
-                temporary_room.tell_before_saving(self.document)
+                disk_room.tell_before_saving(self.document)
         self.assertEqual(len(told), 1)
         self.assertRegex(told[0], "^FeatureMesh cannot be saved: that takes .* MB in the folder for temporary files")
         FreeCAD.closeDocument(self.document.Name)

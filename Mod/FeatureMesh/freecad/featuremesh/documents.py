@@ -14,7 +14,7 @@ from xml.sax.saxutils import escape, quoteattr, unescape
 
 import FreeCAD
 
-from . import analyses, orphans, reading, temporary_room, versions
+from . import analyses, orphans, reading, disk_room, versions
 from .errors import UserError
 from .messages import of_error, said
 
@@ -53,7 +53,7 @@ def open_document(path):
     if damaged:
         raise UserError(said("{path:text} is damaged: {member:text} in it cannot be read", path=path, member=damaged))
     with zipfile.ZipFile(path) as archive:
-        temporary_room.refuse_to_read(archive, path)
+        disk_room.refuse_to_read(archive, path)
     stamp = _stamp_of(path)
     try:
         document = FreeCAD.openDocument(path, True)

@@ -9,7 +9,7 @@ import itertools
 
 import FreeCAD
 
-from . import analyses, assembled, hand_over, recompute_errors, references, results, size_zone, temporary_room, versions
+from . import analyses, assembled, hand_over, recompute_errors, references, results, size_zone, disk_room, versions
 from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, UP_TO_DATE, is_of_its_part
 from .reading import dependencies, has_shape
 
@@ -107,7 +107,11 @@ class _Observer:
             mesh.Status = OUT_OF_DATE
         for mesh in filter(_is_ours, document.Objects):
             mesh.Proxy.keep_state(mesh)
-        temporary_room.tell_before_saving(document)
+        disk_room.tell_before_saving(document)
+
+    def slotFinishSaveDocument(self, document, path):
+        if any(map(_is_ours, document.Objects)):
+            disk_room.look_at_saved(document, path)
 
     def slotRecomputedObject(self, obj):
         _left_touched.setdefault(obj.Document.Name, set()).add(obj.Name)

@@ -3,8 +3,9 @@
 
 import FreeCAD
 import FreeCADGui as Gui
+from PySide import QtCore
 
-from .. import log
+from .. import api, log
 from ..mesh_object import is_cancelled
 from ..messages import entities_in, of_error
 from ..user_words import in_words
@@ -24,6 +25,19 @@ def show(error, part=None):
     FreeCAD.Console.PrintError("FeatureMesh: %s\n" % message)
     select_named(error, part)
     message_box.warn(message)
+
+
+def show_half_saved(document, error):
+    """Shows the error once FreeCAD takes the document for saved, and marks it as changed again: FreeCAD asks before it is closed then."""
+    name = document.Name
+
+    def tell():
+        meshes = api.meshes_of(FreeCAD.getDocument(name)) if name in FreeCAD.listDocuments() else ()
+        for mesh in (mesh for mesh in meshes if "Touched" not in mesh.State):
+            mesh.touch()   # the document counts as changed then; FreeCAD 0.20 has no other way to say so
+            mesh.purgeTouched()
+        show(error)
+    QtCore.QTimer.singleShot(0, tell)
 
 
 def select_named(error, part):

@@ -4,7 +4,7 @@ solved."""
 
 import FreeCADGui as Gui
 
-from .. import history, references, solve_guard
+from .. import disk_room, history, references, solve_guard
 from ..mesh_object import is_feature_mesh
 from . import errors, recording, showing
 
@@ -12,7 +12,7 @@ from . import errors, recording, showing
 def install():
     """To be called once."""
     references.is_in_edit = _is_in_edit
-    solve_guard.tell = errors.show
+    solve_guard.tell, disk_room.tell = errors.show, errors.show_half_saved
     Gui.addDocumentObserver(_Observer())
 
 

@@ -1941,6 +1941,10 @@
       <translation>{path:text} ist der Name einer {ending:text}-Datei und enthielte {format:text}; einen anderen Namen angeben oder {ending:text} wählen</translation>
     </message>
     <message>
+      <source>{path:text} was not saved as a whole; is the disk full? Make room before you save it again, or save it elsewhere: FreeCAD would overwrite the copy that it keeps of the document as it was before</source>
+      <translation>{path:text} wurde nicht vollständig gespeichert; ist die Platte voll? Vor dem nächsten Speichern Platz schaffen oder woanders speichern: FreeCAD würde die Kopie überschreiben, die es vom Dokument behält, wie es vorher war</translation>
+    </message>
+    <message>
       <source>{path:text} was saved by another program meanwhile, which writing it would undo; do this again, or write another file with --out</source>
       <translation>{path:text} wurde inzwischen von einem anderen Programm gespeichert, was beim Schreiben verloren ginge; den Befehl wiederholen oder mit --out eine andere Datei schreiben</translation>
     </message>

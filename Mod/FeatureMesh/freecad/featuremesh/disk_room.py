@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Room for the text by way of which FreeCAD reads and writes each mesh of a document, in the folder for temporary files. Where there is none it reads a part of the
-mesh without a word, and to write says "Output file not good"."""
+"""Room on the disk for a document, and in the folder for temporary files for the text by way of which FreeCAD reads and writes each mesh of it. Where there is
+none it reads a part of a mesh, or saves a part of the document in place of the old one, without a word, and to write a mesh says "Output file not good"."""
 
 import os
 import re
 import shutil
+import zipfile
 
 import FreeCAD
 
@@ -13,6 +14,8 @@ from .messages import said
 from .user_words import in_words
 
 _MESH = re.compile(rb'<FemMesh file="([^"]+)"')
+# How the window tells of a document that was not saved as a whole; None: in the report view.
+tell = None
 _NODE, _VOLUME, _FACE = 118, 100, 90   # bytes of one in that text, or less
 
 
@@ -36,6 +39,18 @@ def tell_before_saving(document):
                 FreeCAD.Console.PrintError(in_words(said(
                     "{object:text} cannot be saved: that takes {needed:number} MB in the folder for temporary files, {folder:text}, where {room:number} MB can be "
                     "written; make room and save again", object=obj.Label, needed=_megabytes(needed), folder=FreeCAD.getTempPath(), room=_megabytes(_room()))) + "\n")
+
+
+def look_at_saved(document, path):
+    """To be called when FreeCAD has saved the document there: the end of the file is missing where the disk is full."""
+    if zipfile.is_zipfile(path):
+        return
+    error = UserError(said("{path:text} was not saved as a whole; is the disk full? Make room before you save it again, or save it elsewhere: FreeCAD would overwrite the "
+                           "copy that it keeps of the document as it was before", path=path))
+    if tell is not None:
+        tell(document, error)
+    else:
+        FreeCAD.Console.PrintError(in_words(error.message) + "\n")
 
 
 def _room():
