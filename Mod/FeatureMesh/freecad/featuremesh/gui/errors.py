@@ -32,12 +32,19 @@ def show_half_saved(document, error):
     name = document.Name
 
     def tell():
-        meshes = api.meshes_of(FreeCAD.getDocument(name)) if name in FreeCAD.listDocuments() else ()
-        for mesh in (mesh for mesh in meshes if "Touched" not in mesh.State):
-            mesh.touch()   # the document counts as changed then; FreeCAD 0.20 has no other way to say so
-            mesh.purgeTouched()
+        if name in FreeCAD.listDocuments():
+            _mark_as_changed(FreeCAD.getDocument(name))
         show(error)
     QtCore.QTimer.singleShot(0, tell)
+
+
+def _mark_as_changed(document):
+    try:
+        Gui.getDocument(document.Name).Modified = True
+    except AttributeError:   # FreeCAD 0.20 takes it for changed when something is touched
+        for mesh in (mesh for mesh in api.meshes_of(document) if "Touched" not in mesh.State):
+            mesh.touch()
+            mesh.purgeTouched()
 
 
 def select_named(error, part):
