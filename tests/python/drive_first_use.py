@@ -18,7 +18,7 @@ import FreeCADGui as Gui  # noqa: E402
 import Part  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
-from window import click, click_button_of, click_in_panel, click_in_view, double_click, figures, panel, spin, type_into, wait_for  # noqa: E402
+from window import click, click_button_of, click_in_panel, click_in_view, double_click, figures, item_of_tree, panel, spin, type_into, wait_for  # noqa: E402
 
 FILM = os.environ.get("FEATUREMESH_FILM")
 WIDTH = 1100
@@ -44,20 +44,6 @@ def choose_workbench(name):
     window.send_key(shown, QtCore.Qt.Key_Return)
     wait_for(lambda: Gui.activeWorkbench().name() == "FemWorkbench")
     spin(0.5)
-
-
-def item_of_tree(label):
-    """(the tree, where on it the object of that label is), after everything above it was opened."""
-    tree, = [w for w in Gui.getMainWindow().findChildren(QtGui.QTreeWidget) if w.metaObject().className() == "Gui::TreeWidget" and w.isVisible()]
-    model = tree.model()
-    index, = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, label, 1, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive)
-    above = index.parent()
-    while above.isValid():
-        tree.expand(above)
-        above = above.parent()
-    tree.scrollTo(index)
-    spin()
-    return tree.viewport(), tree.visualRect(index).center()
 
 
 def close_toolbars():

@@ -90,6 +90,20 @@ def double_click(widget, place):
                QtCore.QEvent.MouseButtonDblClick, QtCore.QEvent.MouseButtonRelease)
 
 
+def item_of_tree(label):
+    """(the tree, where on it the object of that label is), after everything above it was opened."""
+    tree, = [w for w in Gui.getMainWindow().findChildren(QtGui.QTreeWidget) if w.metaObject().className() == "Gui::TreeWidget" and w.isVisible()]
+    model = tree.model()
+    index, = model.match(model.index(0, 0), QtCore.Qt.DisplayRole, label, 1, QtCore.Qt.MatchExactly | QtCore.Qt.MatchRecursive)
+    above = index.parent()
+    while above.isValid():
+        tree.expand(above)
+        above = above.parent()
+    tree.scrollTo(index)
+    spin()
+    return tree.viewport(), tree.visualRect(index).center()
+
+
 def send_mouse(widget, place, *kinds):
     """What the mouse does at a place of a widget, with its left button."""
     for kind in kinds:

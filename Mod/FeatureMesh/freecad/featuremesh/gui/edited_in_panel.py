@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What view providers share whose object is edited in a task panel."""
 
+import FreeCAD
 import FreeCADGui as Gui
 
 from ..errors import UserError
@@ -30,6 +31,7 @@ class EditedInPanel(View):
         document = Gui.getDocument(view.Object.Document)
         edited = document.getInEdit()
         if not Gui.Control.activeDialog():
+            FreeCAD.closeActiveTransaction(True)   # FreeCAD's own step of undo, of what the panel only shows or hides
             document.setEdit(view.Object.Name)
         elif edited is None or edited.Object is not view.Object:
             errors.show(UserError(said("{object:text} cannot be opened while a panel is open; close that first", object=view.Object.Label)))
