@@ -8,6 +8,7 @@ from pathlib import Path
 from unittest import mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import FemGui  # noqa: E402
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import Part  # noqa: E402
@@ -183,6 +184,19 @@ def check_live():
         assert "e+" not in text, (shown.largest.text(), shown.legend.labels)
     assert shown.legend.labels[-1].endswith("00 psi"), shown.legend.labels
     close()
+    check_load_begun(shown.live)
+
+
+def check_load_begun(live):
+    """FEM's panel of a new load, which has no face yet: nothing is said of that."""
+    wait_for(lambda: live.Status == "up to date", 60)
+    FemGui.setActiveAnalysis(live.Document.Analysis)
+    Gui.runCommand("FEM_ConstraintPressure")
+    wait_for(lambda: "refers to nothing" in live.Status, 20)
+    spin()
+    assert "refers to nothing" not in window.report_view(), window.report_view()
+    click_in_panel("Cancel")
+    wait_for(lambda: live.Status == "up to date", 60)
 
 
 def check_difference(body, path):

@@ -164,7 +164,10 @@ class LiveResult(Stateless):
         self.set_status(live, CANCELLED if mesh_object.is_cancelled(error) else failed(live, error))
 
     def tell(self, live, error):
-        """Says in the report view why there is no result, once until there is one again: each recompute tries anew."""
+        """Says in the report view why there is no result, once until there is one again: each recompute tries anew. A load is without faces as long as its panel
+        asks for them."""
+        if any(map(references.is_being_edited, live.Members)):
+            return
         words = user_words.in_words(messages.of_error(error))
         if words != self.told:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (live.Label, words))
