@@ -111,21 +111,24 @@ def check_adopted(document):
 
 
 def check_opened_result(path):
-    """The mesh of a result does not lie over the live result in a document that is opened, where FreeCAD 1.1 shows it."""
+    """The mesh of a result does not lie over the live result, or the pipeline in its place, in a document that is opened, where FreeCAD 1.1 shows it."""
     from freecad.featuremesh import api, mesh_object
     document = FreeCAD.openDocument(path)
     api.add_mesh(document.Body, 15.0, order=1)
     document.recompute()
     live = api.live_result(document.Analysis)
     wait_for(lambda: live.Status == mesh_object.UP_TO_DATE and live.Result is not None)
-    live.Result.Mesh.ViewObject.Visibility = live.ViewObject.Visibility = True
-    names = live.Name, live.Result.Mesh.Name
-    document.save()
-    FreeCAD.closeDocument(document.Name)
-    document = FreeCAD.openDocument(path)
-    spin(1)
-    picture("opened_result")
-    assert [document.getObject(name).Visibility for name in names] == [True, False]
+    document.Analysis.addObject(document.addObject("Fem::FemPostPipeline", "Pipeline"))
+    names = live.Name, live.Result.Mesh.Name, "Pipeline"
+    for seen in ("Pipeline", names[0]):
+        document.getObject(names[1]).ViewObject.Visibility = document.getObject(seen).ViewObject.Visibility = True
+        document.save()
+        FreeCAD.closeDocument(document.Name)
+        document = FreeCAD.openDocument(path)
+        spin(1)
+        picture("opened_result")
+        assert [name for name in names if document.getObject(name).Visibility] == [seen], seen
+    document.removeObject("Pipeline")
     check_purged(document, document.getObject(names[0]))
     FreeCAD.closeDocument(document.Name)
 

@@ -89,9 +89,11 @@ def install():
 
 
 def uncover(live):
-    """To be called when a document with a live result was opened: FreeCAD 1.1 shows the mesh of a result with the result then, also where it was hidden."""
-    covering = getattr(live.Result, "Mesh", None)
-    if live.Visibility and covering is not None:
+    """To be called when a document with a live result was opened: FreeCAD 1.1 shows the mesh of a result with the result then, also where it was hidden, over what
+    is seen in its place."""
+    mesh, covering = live.Proxy.mesh(live), getattr(live.Result, "Mesh", None)
+    seen = [live] if mesh is None else [live, mesh, *what_covers(mesh)]
+    if covering is not None and any(obj.Visibility for obj in seen if obj is not covering):
         _set_visible([covering], False)
 
 
