@@ -206,6 +206,12 @@ class Messages(unittest.TestCase):
         self.assertIs(messages.several([None, TOO_LARGE]), TOO_LARGE)
         self.assertEqual(messages.english(messages.several(["older words", CROSSING["parameters"]["why"][1]])), "older words; Face2 and itself")
 
+    def test_a_sentence_before_others_ends_without_a_full_stop(self):
+        why = [TOO_LARGE, CROSSING["parameters"]["why"][1], TOO_LARGE]
+        self.assertEqual(messages.english({**CROSSING, "parameters": {"why": why}}).count("Ask for a smaller size;"), 1)
+        self.assertTrue(messages.english({**CROSSING, "parameters": {"why": why}}).endswith("itself; " + messages.english(TOO_LARGE)))
+        self.assertEqual(messages.english({**CROSSING, "parameters": {"why": []}}), "full mesh: ")
+
     def test_of_a_whole_report(self):
         self.assertEqual(messages.in_english({"nodes": 3, "fallback": None, "warnings": [CROSSING, "old"]}),
                          {"nodes": 3, "fallback": None, "warnings": ["full mesh: Face2 and Edge7; Face2 and itself", "old"]})

@@ -154,7 +154,8 @@ class Words(string.Formatter):
         return shown or self._translated(INSIDE)
 
     def _messages(self, messages):
-        return "; ".join(self.put(message) for message in _listed(messages))
+        *before, last = map(self.put, _listed(messages)) if messages else [""]
+        return "; ".join([*(text.removesuffix(".") for text in before), last])
 
 
 def figure(value, digits):
