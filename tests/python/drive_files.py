@@ -140,7 +140,7 @@ def check_purged(document, live):
     from freecad.featuremesh import api
     document.UndoMode = 1
     edit(document, "104 mm")
-    wait_for(lambda: live.Status == "up to date")
+    wait_for(lambda: live.Status == "up to date" and live.Result.Label == "LiveResult")   # FreeCAD 1.1 would number it
     FemGui.setActiveAnalysis(document.Analysis)
     for _ in range(2 if shutil.which("ccx") else 0):   # the second one removes the results of the first
         select(document.Solver)

@@ -15,6 +15,7 @@ SOLVED_ON = "SolvedOn"
 _BESIDE = " with "   # between the two
 _OF_NO_MESH = "-"
 _SUFFIX = QT_TRANSLATE_NOOP("FeatureMesh", " (before the last edit)")
+_DUPLICATES = "DuplicateLabels"   # a preference of FreeCAD's: several objects may have one label
 _KINDS = ("Fem::FemResultObject", "Fem::FemPostPipeline")
 _MEMBERS = ("Fem::Constraint", "Fem::Element", "Fem::Material")   # how the types of FEM's objects in Python begin
 # Properties that FreeCAD computes for what it draws or lists in a panel, or that say nothing of what is solved.
@@ -115,7 +116,17 @@ def _mark(result, state):
     if solved_on != (state if _BESIDE in solved_on else state.split(_BESIDE)[0]):
         label += translate("FeatureMesh", _SUFFIX)
     if label != result.Label:
+        _set_label(result, label)
+
+
+def _set_label(result, label):
+    """FreeCAD 1.1 counts the label of an object whose view is in Python twice, and would not give it back to the only one that had it."""
+    result.Label = label
+    if result.Label != label and not result.Document.getObjectsByLabel(label):
+        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document")
+        settings.SetBool(_DUPLICATES, True)
         result.Label = label
+        settings.SetBool(_DUPLICATES, False)
 
 
 def _suffixes():

@@ -13,7 +13,6 @@ from .proxies import HIDDEN, NO_TOUCH
 _TENSOR = (("XX", 0), ("YY", 1), ("ZZ", 2), ("XY", 3), ("YZ", 4), ("XZ", 5))   # FreeCAD's names of the columns
 NODES = "MeshNodes"   # a property of results: the mesh's own numbers of their nodes, row by row, as no edit changes them
 _MASS_FLOW_AND_REST = 8   # figures of FreeCAD's table that are of no concern here: plastic strain, temperature, flow
-_FIELDS = "Fields"   # what the name of a result has behind its label
 _made = {}   # (document's name, object's name) of results and their meshes: the name of their analysis
 
 
@@ -28,7 +27,7 @@ def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
     if result is None or result.Mesh is None:
         same_mesh = False
     if result is None:
-        result = _left_over(analysis, name) or _made_result(analysis, name)
+        result = _left_over(analysis, name) or _note_made(ObjectsFem.makeResultMechanical(document, history.new_name(document, name)), analysis)
         _set_in_tree(result, True)
         analysis.addObject(result)
     if result.Mesh is None:
@@ -48,14 +47,6 @@ def show(analysis, arrays, fields, name="LiveResult", same_mesh=False):
     return result
 
 
-def _made_result(analysis, label):
-    """FreeCAD 1.1 takes the label that an object in Python gets with its name for that of two objects: a result that is marked as old for a while would not get it back."""
-    document = analysis.Document
-    result = _note_made(ObjectsFem.makeResultMechanical(document, history.new_name(document, label + _FIELDS)), analysis)
-    result.Label = label
-    return result
-
-
 def put_mesh(result, arrays):
     """Gives a result the mesh of the arrays, as `result_mesh` has it."""
     by_row = {**arrays, "node_numbers": np.arange(1, len(arrays["points"]) + 1)}
@@ -71,7 +62,7 @@ def set_aside_left_over(document):
         analysis = document.getObject(_made[document.Name, result.Name])
         if result.InList or analysis is None:
             continue
-        if of_analysis(analysis, result.Name.rstrip("0123456789").removesuffix(_FIELDS)) is None:
+        if of_analysis(analysis, result.Name.rstrip("0123456789")) is None:
             analysis.addObject(result)
         else:
             left.append(result)
