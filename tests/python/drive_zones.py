@@ -313,14 +313,24 @@ def check_beside_a_live_result(document, body, mesh):
     picture("zone_beside_a_live_result")
     click_in_panel("Cancel")
     assert [(obj, obj.ViewObject.Visibility) for obj in (body, mesh, live)] == seen
-    wait_for(lambda: not Gui.Control.activeDialog(), 20)
-    Gui.activeDocument().setEdit(mesh.Name)
-    wait_for(Gui.Control.activeDialog, 20)
-    spin()
-    type_into(panel("MeshPanel").size, "%g mm" % (1.5 * mesh.Size.Value))
-    click_in_panel("Ok")
-    wait_for(lambda: not Gui.Control.activeDialog(), 60)
-    assert [(obj, obj.ViewObject.Visibility) for obj in (body, mesh, live)] == seen
+    check_meshed_beside(document, analysis, mesh, live)
+
+
+def check_meshed_beside(document, analysis, mesh, live):
+    """*Apply* shows the mesh alone, where it was drawn through the result; that is seen again when the panel is closed. A pipeline, which is old then, is not."""
+    pipeline = document.addObject("Fem::FemPostPipeline", "Pipeline")
+    analysis.addObject(pipeline)
+    for size, shown, left in (("5 mm", live, live), ("4 mm", pipeline, mesh)):
+        mesh.ViewObject.Visibility, shown.ViewObject.Visibility = False, True
+        mesh.ViewObject.doubleClicked()
+        spin()
+        type_into(panel("MeshPanel").size, size)
+        click_in_panel("Apply")
+        wait_for(lambda: mesh.ViewObject.Visibility, 60)
+        assert not shown.ViewObject.Visibility, shown.Name
+        click_in_panel("Ok")
+        wait_for(lambda: not Gui.Control.activeDialog(), 60)
+        assert [obj for obj in (mesh, live, pipeline) if obj.ViewObject.Visibility] == [left], size
 
 
 def drive():

@@ -70,9 +70,12 @@ def restore(before):
 
 
 def show_mesh(mesh):
-    """Shows the mesh, unless a live result is seen in its place, and hides what it is of."""
-    _set_visible(_meshed(mesh), False)
-    mesh.ViewObject.Visibility = mesh.ViewObject.Visibility or not any(live.ViewObject.Visibility for live in _live_results_of(mesh))
+    """Shows the mesh and hides what it is of, and the results in its place. Returns the names of the live results that were seen."""
+    holding = set(analyses.holding(mesh))
+    results = [obj for obj in _results_over(mesh) if obj.ViewObject.Visibility and holding & _analyses_above(obj)]
+    _set_visible([*_meshed(mesh), *results], False)
+    mesh.ViewObject.Visibility = True
+    return [live.Name for live in filter(is_live_result, results)]
 
 
 def show_result(live):

@@ -19,7 +19,7 @@ from . import driven, enough_memory, freecad_widget, narrow, recording, wheel
 from .errors import select_named
 from ..user_words import as_shown, in_words
 from .running import RunningJob, step_in_words
-from .showing import show_mesh
+from .showing import show_mesh, show_result
 from .undo import undo_step
 
 translate = FreeCAD.Qt.translate
@@ -46,6 +46,7 @@ class MeshPanel:
         self._is_full = False
         self.running = None
         self.job = None
+        self._hidden = []   # names of the live results that were seen in place of the mesh; the panel shows that
         self._estimate = None
         self._written = {}   # field -> (its Qt property, what was written into that, the text that it shows for it)
         self._typed = {}   # field -> what was typed in place of that
@@ -268,6 +269,8 @@ class MeshPanel:
     def _close(self):
         if self.is_new:
             self.mesh.Document.commitTransaction()
+        for live in filter(None, map(self.mesh.Document.getObject, self._hidden)):
+            show_result(live)
         Gui.getDocument(self.mesh.Document).resetEdit()
 
     # Work
@@ -397,7 +400,7 @@ class MeshPanel:
                     return
             else:   # a recompute has made it
                 self._keep()
-                show_mesh(self.mesh)
+                self._hidden += show_mesh(self.mesh)
                 self._show_result()
         except Exception as problem:
             self._failed(problem)
@@ -417,7 +420,7 @@ class MeshPanel:
         self._keep()
         recording.tell(api.update_mesh, self.mesh, *[True] * self._is_full)
         self.mesh.purgeTouched()
-        show_mesh(self.mesh)
+        self._hidden += show_mesh(self.mesh)
         self._show_result()
 
     def _keep(self):
