@@ -10,7 +10,7 @@ from unittest import mock
 
 import FreeCAD
 import Part
-from freecad.featuremesh import api, cli, documents, export, tasks
+from freecad.featuremesh import api, cli, documents, export, tables, tasks
 from parts import new_document, plate_with_hole
 
 BRACKET = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples", "bracket.FCStd")
@@ -184,6 +184,11 @@ class Tasks(unittest.TestCase):
         self.assertEqual(verdicts["Hole"], "moved")
         self.assertIn(verdicts["Plate"], ("same", "interaction changed"))  # the hole trims it elsewhere
         json.dumps(diff["data"])
+
+    def test_volumes_of_what_came_and_went(self):
+        feature = {"name": "Fillet", "label": "Fillet", "verdict": "suppressed", "detail": None, "old_faces": [], "new_faces": []}
+        volumes = [tables.rows_of_difference({"features": [{**feature, "old_volume": old, "new_volume": new}]})[1][0][3] for old, new in ((226.5, 0.0), (0.0, 3.0), (0.0, 0.0))]
+        self.assertEqual(volumes, ["226.5 -> 0", "0 -> 3", ""])
 
     def test_picture_of_a_difference(self):
         self.mesh()

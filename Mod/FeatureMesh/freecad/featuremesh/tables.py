@@ -22,7 +22,7 @@ def rows_of_difference(found):
     rows = []
     for feature in found["features"]:
         old, new = _volume(feature["old_volume"]), _volume(feature["new_volume"])
-        volumes = old if old == new else "%s -> %s" % (old, new)
+        volumes = old if old == new else "%s -> %s" % (old or "0", new or "0")
         rows.append((feature_name(feature), verdict_in_words(feature["verdict"]), english(feature["detail"]), volumes,
                      _faces(feature["old_faces"]), _faces(feature["new_faces"])))
     return tuple(translate("FeatureMesh", title) for title in _OF_DIFFERENCE), rows
