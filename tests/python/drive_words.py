@@ -185,6 +185,7 @@ def check_live():
     assert shown.legend.labels[-1].endswith("00 psi"), shown.legend.labels
     close()
     check_load_begun(shown.live)
+    check_all_new(shown.live)
 
 
 def check_load_begun(live):
@@ -197,6 +198,21 @@ def check_load_begun(live):
     assert "refers to nothing" not in window.report_view(), window.report_view()
     click_in_panel("Cancel")
     wait_for(lambda: live.Status == "up to date", 60)
+
+
+def check_all_new(live):
+    """After a mesh from scratch the change since the last result is known nowhere: it is said why all is grey."""
+    from freecad.featuremesh import api
+    before = live.Proxy.solution
+    api.update_mesh(live.Proxy.mesh(live), True)
+    live.Document.recompute()
+    wait_for(lambda: live.Status == "up to date" and live.Proxy.solution is not before, 60)
+    shown = open_panel("LiveResult", "LivePanel")
+    shown.difference.setChecked(True)
+    spin()
+    assert shown.grey.isVisible() and not shown.legend.labels, shown.legend.labels
+    shown.difference.setChecked(False)
+    close()
 
 
 def check_difference(body, path):

@@ -79,7 +79,7 @@ class LivePanel(ClosesWithObject):
         if not self.top.hasFocus():   # while it is being typed
             self._show_top()
         self.legend.show_range(drawn, *self._unit(), is_fresh)
-        self.grey.setVisible(is_fresh and bool(self.legend.labels) and not np.isfinite(drawn.values).all())
+        self.grey.setVisible(is_fresh and drawn is not None and not np.isfinite(drawn.values).all())
         self.largest.setText(self._largest_in_words(drawn) if is_fresh else "")
         if drawn is not None:
             self.cut.set_box(drawn.points)
