@@ -175,6 +175,34 @@ def check_which_analysis(document, body):
     close_panel()
 
 
+def check_result_without_material():
+    """A live result that was never solved shows nothing: the mesh is seen again after FEM's panel of a material, and after its own."""
+    from freecad.featuremesh import api
+    document = FreeCAD.newDocument("NoMaterial")
+    box = document.addObject("Part::Box", "Box")
+    document.recompute()
+    analysis = ObjectsFem.makeAnalysis(document, "Analysis")
+    material = ObjectsFem.makeMaterialSolid(document, "Material")
+    material.Material = {}
+    analysis.addObject(material)
+    mesh = api.add_mesh(box, 5.0)
+    document.recompute()
+    FemGui.setActiveAnalysis(analysis)
+    box.ViewObject.Visibility = False
+    run_command("LiveResult")
+    close_panel()
+    for obj in (material, mesh):
+        Gui.activeDocument().setEdit(obj.Name)
+        spin()
+        if obj is mesh:
+            window.type_into(panel("MeshPanel").size, "4 mm")
+        click_in_panel("Ok")
+        wait_for(lambda: not Gui.Control.activeDialog(), 20)
+        spin(0.5)
+        assert mesh.ViewObject.Visibility and not box.ViewObject.Visibility, obj.Name
+    FreeCAD.closeDocument(document.Name)
+
+
 def check_mesh_of_another_maker():
     """The analysis has Gmsh's mesh: ours takes its place with what belongs to it, or leaves it there; undo and Cancel bring it back."""
     document = FreeCAD.newDocument("Gmsh")
@@ -388,6 +416,7 @@ def drive():
     if versions.version() >= (1, 1):   # 1.0 tells nobody what is frozen
         check_frozen(two, two.Box, two.FeatureMesh)
     FreeCAD.closeDocument(two.Name)
+    check_result_without_material()
     check_mesh_of_another_maker()
     document = FreeCAD.newDocument("Mistakes")
     document.UndoMode = 1

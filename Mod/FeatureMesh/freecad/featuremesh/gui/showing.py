@@ -33,16 +33,17 @@ def show_to_click(obj):
             seen = [live for live in _live_results_of(mesh) if live.ViewObject.Visibility]
             is_hidden = not shown.ViewObject.Visibility
             if (is_hidden or seen) and _is_about(obj, mesh):
+                back = [*seen, *([] if any(map(_is_seen, seen)) else [mesh])]
                 _set_visible([shown], True)
                 _set_visible([mesh, *seen], False)
-                before += [(obj.Document.Name, back.Name, back is not shown) for back in ([shown] if is_hidden else []) + (seen or [mesh])]
+                before += [(obj.Document.Name, other.Name, other is not shown) for other in ([shown] if is_hidden else []) + back]
     return before
 
 
 def show_unless_seen(obj):
     """Shows the mesh that an FEM object belongs to where FEM's panel, which hides meshes and shows parts for its time, has left nothing to see in its place."""
     for mesh in api.meshes_of(obj.Document):
-        if _is_about(obj, mesh) and not any(there.ViewObject.Visibility for there in (mesh, *what_covers(mesh))):
+        if _is_about(obj, mesh) and not any(map(_is_seen, (mesh, *what_covers(mesh)))):
             mesh.ViewObject.Visibility = True
 
 
@@ -210,6 +211,11 @@ def _meshed(mesh):
     part = versions.part_of(mesh)
     shown = [part, part.Container] if part is not None and assembled.is_assembled(part) else [part]
     return [obj for obj in shown if obj is not None]
+
+
+def _is_seen(obj):
+    """A live result that was never solved shows nothing."""
+    return obj.ViewObject.Visibility and (not is_live_result(obj) or obj.ViewObject.Proxy.drawn is not None)
 
 
 def _as_seen(objects):

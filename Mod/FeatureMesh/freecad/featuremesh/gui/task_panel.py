@@ -19,7 +19,7 @@ from . import driven, enough_memory, freecad_widget, narrow, recording, wheel
 from .errors import select_named
 from ..user_words import as_shown, in_words
 from .running import RunningJob, step_in_words
-from .showing import show_mesh, show_result
+from .showing import show_mesh
 from .undo import undo_step
 
 translate = FreeCAD.Qt.translate
@@ -270,7 +270,7 @@ class MeshPanel:
         if self.is_new:
             self.mesh.Document.commitTransaction()
         for live in filter(None, map(self.mesh.Document.getObject, self._hidden)):
-            show_result(live)
+            live.ViewObject.Proxy.show_alone(live)
         Gui.getDocument(self.mesh.Document).resetEdit()
 
     # Work
