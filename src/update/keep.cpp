@@ -9,6 +9,7 @@
 #include "core/dimension.h"
 #include "mesh/second_order.h"
 #include "update/carried_nodes.h"
+#include "update/doubled_nodes.h"
 #include "update/entity_finder.h"
 #include "update/kept_entities.h"
 #include "update/kept_mesh.h"
@@ -256,6 +257,7 @@ class Keeper {
             if (n % 4096 == 0) context_.check_cancelled();
             if (motions_[n] != dropped && !(place(n) && is_meshed(entities_.entities()[n]))) motions_[n] = dropped;
         }
+        for (const std::size_t n : doubled_nodes(in_, motions_, entities_)) motions_[n] = dropped;
     }
 
     // A vertex may be new where nothing changed that is worth the name: a feature has come to touch an edge there. It

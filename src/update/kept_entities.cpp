@@ -170,7 +170,16 @@ FaceId KeptEntities::face_of(std::size_t triangle) const {
     const auto& nodes = in_.old_mesh.triangles[triangle];
     const CarriedRegion& region = nodes_.regions()[nodes_.motion_of(nodes[0])];
     const auto& pieces = region.new_faces_of[in_.old_mesh.triangle_faces[triangle].index()];
-    if (pieces.size() < 2) return pieces.empty() ? FaceId() : pieces[0];
+    if (pieces.size() < 2) {
+        // where two solids have parted, one of them took the nodes that they had in common
+        const auto is_of_other = [&](NodeId n) {
+            const Entity on = entities_[n.index()];
+            return on.dim < 2 && !share_body(in_.new_brep, on, entity_of(pieces[0]));
+        };
+        const bool is_lost =
+            pieces.empty() || (in_.new_brep.body_count() > 1 && std::any_of(nodes.begin(), nodes.end(), is_of_other));
+        return is_lost ? FaceId() : pieces[0];
+    }
     for (const NodeId n : nodes)
         if (entities_[n.index()].dim == 2) return FaceId(entities_[n.index()].index);
     const auto is_at = [&](NodeId n, FaceId face) {
@@ -242,6 +251,16 @@ bool KeptEntities::runs_backwards(std::size_t segment, EdgeId edge) const {
     const double t = projector_.nearest(edge, (a + b) * 0.5).t;
     const double step = 1e-4 * (std::abs(t) + 1);
     return dot(projector_.on_edge(edge, t + step) - projector_.on_edge(edge, t - step), b - a) < 0;
+}
+
+bool share_body(const Brep& brep, Entity a, Entity b) {
+    for (const FaceId of_a : brep.faces_at(a))
+        for (const FaceId of_b : brep.faces_at(b))
+            for (const BodyId body : brep.bodies_of(of_a)) {
+                const auto bodies = brep.bodies_of(of_b);
+                if (body.is_valid() && std::find(bodies.begin(), bodies.end(), body) != bodies.end()) return true;
+            }
+    return false;
 }
 
 }  // namespace featuremesh

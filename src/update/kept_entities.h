@@ -85,4 +85,7 @@ class KeptEntities {
     std::vector<EdgeRange> edge_ranges_;  // by new edge, empty until asked for
 };
 
+/// Whether the two, of at most dimension 2, are of one solid or sheet.
+bool share_body(const Brep& brep, Entity a, Entity b);
+
 }  // namespace featuremesh
