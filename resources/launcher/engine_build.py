@@ -37,7 +37,7 @@ def set_up(extra_packages=(), target=ENGINE):
     with alone(RELEASE):
         target = max((target, *built), key=TARGETS.index)
         # Taken before the build, so that a source that changes meanwhile is built the next time.
-        stamp = {"fingerprint": fingerprint(), "packages": sorted(wanted | known), "target": target}
+        stamp = {"fingerprint": fingerprint(wanted | known), "packages": sorted(wanted | known), "target": target}
         build(target)
         stamp_file().write_text(json.dumps(stamp), encoding="utf-8")
 
@@ -52,7 +52,7 @@ def what_is_there():
         stamp = json.loads(stamp_file().read_text(encoding="utf-8"))
     except (FileNotFoundError, json.JSONDecodeError):
         return set(), ()
-    if stamp["fingerprint"] != fingerprint() or stamp.get("target") not in TARGETS:
+    if stamp["fingerprint"] != fingerprint(stamp["packages"]) or stamp.get("target") not in TARGETS:
         return set(), ()
     return set(stamp["packages"]), TARGETS[:TARGETS.index(stamp["target"]) + 1]
 
@@ -84,10 +84,11 @@ def processes_at_once():
     return max(1, min(len(os.sched_getaffinity(0)), memory // MEMORY_PER_PROCESS))
 
 
-def fingerprint():
-    """Changes when a source, the installed packages or CGAL's headers do."""
+def fingerprint(names):
+    """Changes when a source, one of these packages or of those that the engine is built with, or CGAL's headers do."""
     digest = hashlib.sha256()
-    for path in [*source_files(), Path("/var/lib/dpkg/status"), CGAL / "usr/include/CGAL/version.h"]:
+    names = {*names, *packages.BUILD_PACKAGES, *packages.SOLVER_PACKAGES}
+    for path in [*source_files(), *packages.records_of(names), CGAL / "usr/include/CGAL/version.h"]:
         try:
             status = path.stat()
             digest.update(f"{path} {status.st_size} {status.st_mtime_ns}\n".encode())

@@ -5,10 +5,12 @@ import fcntl
 import os
 import shutil
 import subprocess
+from pathlib import Path
 
 from layout import BUILD, Failure
 from setup_log import run_logged, say
 
+RECORDS = "/var/lib/dpkg/info"   # of what Debian has installed
 BUILD_PACKAGES = (
     "g++", "cmake", "ninja-build", "ccache", "python3-dev", "pybind11-dev", "catch2", "libtbb-dev", "libboost-dev",
     "libgmp-dev", "libmpfr-dev", "libocct-foundation-dev", "libocct-modeling-data-dev", "libocct-modeling-algorithms-dev",
@@ -66,6 +68,12 @@ def missing(packages):
                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
     installed = {line.split()[0] for line in shown.splitlines() if line.endswith(" installed")}
     return [name for name in packages if name not in installed]
+
+
+def records_of(packages):
+    """Files that are written anew with each of the packages that is installed or upgraded, and go with it."""
+    lists = [name for name in os.listdir(RECORDS) if name.endswith(".list")] if os.path.isdir(RECORDS) else []
+    return [Path(RECORDS, name) for name in sorted(lists) if name.removesuffix(".list").partition(":")[0] in packages]
 
 
 def install_missing(packages):

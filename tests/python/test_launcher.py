@@ -428,14 +428,14 @@ class SetUp(unittest.TestCase):
             with self.assertRaisesRegex(Failure, "cmake.*root"):
                 packages.root_prefix(["cmake"])
 
-    def test_a_changed_source_changes_the_fingerprint(self):
-        with tempfile.NamedTemporaryFile() as source, \
-                mock.patch.object(engine_build, "source_files", return_value=[Path(source.name)]):
-            empty = engine_build.fingerprint()
-            self.assertEqual(empty, engine_build.fingerprint())
-            source.write(b"more")
-            source.flush()
-            self.assertNotEqual(empty, engine_build.fingerprint())
+    def test_a_changed_source_or_package_changes_the_fingerprint_another_package_does_not(self):
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(packages, "RECORDS", folder), \
+                mock.patch.object(engine_build, "source_files", return_value=[Path(folder, "source")]):
+            seen = [engine_build.fingerprint(["gmsh"])]
+            for name in ("man-db.list", "gmsh.list", "libtbb-dev:amd64.list", "source"):
+                Path(folder, name).write_text("more", encoding="utf-8")
+                seen.append(engine_build.fingerprint(["gmsh"]))
+            self.assertEqual([len(set(seen)), seen[0]], [4, seen[1]])
 
     def test_what_was_set_up_is_not_set_up_again(self):
         steps = []
