@@ -9,10 +9,8 @@
 
 #include "catch.h"
 #include "difference/followed_faces.h"
-#include "mesh/validation.h"
 #include "part_documents.h"
 #include "part_meshes.h"
-#include "update/fill_part.h"
 #include "update/keep.h"
 #include "update/kept_tets.h"
 
@@ -105,16 +103,11 @@ RawDocument stacked_plates(double thickness) {
         .finish();
 }
 
-/// Two blocks that share a face, at x = 20, or only touch there; the first one with a hole near it.
-RawDocument glued_blocks(double y, bool is_glued = true) {
+/// Two blocks that share a face, at x = 20; the first one with a hole near it.
+RawDocument glued_blocks(double y) {
     PartDocument document;
     document.box("BlockA", {0, 0, 0}, {20, 30, 10}).cylinder("HoleA", {17, y, -1}, 2, 12).cut("A", "BlockA", "HoleA");
     document.box("B", {20, 0, 0}, {20, 30, 10});
-    if (!is_glued)
-        return document
-            .add("Part", "Part::FeaturePython", together(document.shape("A"), document.shape("B")),
-                 {{"Objects", "A", ""}, {"Objects", "B", ""}})
-            .finish();
     BOPAlgo_Builder glue;
     glue.AddArgument(document.shape("A"));
     glue.AddArgument(document.shape("B"));
@@ -170,20 +163,6 @@ TEST_CASE("kept 10-node elements keep their mid-side nodes bit for bit") {
     }
     CHECK(kept > 0.5 * double(now.mesh.tets.size()));
     CHECK(curved > 100);
-}
-
-TEST_CASE(
-    "solids that touch keep their meshes where these do not touch when they come to share a face, and when they part") {
-    const int order = GENERATE(1, 2);
-    for (const double size : {2.0, 3.0})
-        for (const bool is_glued : {false, true}) {
-            const auto first = meshed(glued_blocks(15, is_glued), options_of(size, order));
-            const auto second = updated(*first.part_mesh, glued_blocks(15, !is_glued), options_of(size, order));
-            const PartMesh& now = *second.part_mesh;
-            CHECK(broken_invariants(now.mesh, expectation_of(now.part.brep)).empty());
-            CHECK(second.report.fallbacks.empty());
-            CHECK(second.report.kept_nodes_share > 0.4);
-        }
 }
 
 TEST_CASE("an edit in one solid leaves the mesh of the other alone") {

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edits that change which faces a part has: each update is valid and keeps what it says it keeps, bit for bit.
+#include <BOPAlgo_Builder.hxx>
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
+#include <BRep_Builder.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <set>
+#include <string>
 
 #include "catch.h"
 #include "core/messages.h"
@@ -141,6 +145,21 @@ RawDocument with_bridge(double length) {
         .finish();
 }
 
+/// Two blocks beside one another that share a face, or only touch there.
+RawDocument side_by_side(bool is_joined) {
+    PartDocument document;
+    document.box("One", {0, 0, 0}, {20, 30, 10}).box("Other", {20, 0, 0}, {20, 30, 10});
+    BOPAlgo_Builder glue;
+    TopoDS_Compound apart;
+    BRep_Builder().MakeCompound(apart);
+    for (const std::string name : {"One", "Other"}) {
+        glue.AddArgument(document.shape(name));
+        BRep_Builder().Add(apart, document.shape(name));
+    }
+    glue.Perform();
+    return document.add("Part", "Part::FeaturePython", is_joined ? glue.Shape() : apart).finish();
+}
+
 PartMeshResult meshed(const RawDocument& document, double size = 2.5) {
     MeshOptions options;
     options.sizing.size = size;
@@ -222,6 +241,10 @@ TEST_CASE("a trench cuts the part in two, and it is joined again") {
 
 TEST_CASE("two blocks that touch along an edge are joined by a third, and parted") {
     check_there_and_back(with_bridge(20), with_bridge(10), 0.5);
+}
+
+TEST_CASE("two blocks side by side come to share the face at which they touch, and part") {
+    check_there_and_back(side_by_side(false), side_by_side(true), 0.5);
 }
 
 TEST_CASE("two pockets are joined by a third, and parted") {
