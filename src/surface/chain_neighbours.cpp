@@ -5,6 +5,8 @@
 #include <TopoDS_Edge.hxx>
 #include <algorithm>
 
+#include "brep/common_body.h"
+
 namespace featuremesh {
 
 namespace {
@@ -56,9 +58,7 @@ bool ChainNeighbours::may_touch(EdgeId a, EdgeId b) const {
             if (v == w) return false;
     for (const FaceId f : brep_.faces_of(a))
         for (const FaceId g : brep_.faces_of(b))
-            for (const BodyId s : brep_.bodies_of(f))
-                for (const BodyId t : brep_.bodies_of(g))
-                    if (s.is_valid() && s == t) return true;
+            if (have_common_body(brep_, f, g)) return true;
     return false;
 }
 

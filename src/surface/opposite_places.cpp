@@ -11,6 +11,7 @@
 #include <set>
 #include <utility>
 
+#include "brep/common_body.h"
 #include "core/box_tree.h"
 #include "core/distances.h"
 #include "core/geometry.h"
@@ -93,12 +94,7 @@ class Finder {
 
     /// Faces of one body that do not meet.
     bool may_be_opposite(FaceId f, FaceId g) const {
-        const auto bodies = brep_.bodies_of(g);
-        const auto is_common = [&](BodyId body) {
-            return body.is_valid() && std::find(bodies.begin(), bodies.end(), body) != bodies.end();
-        };
-        const auto own = brep_.bodies_of(f);
-        if (std::none_of(own.begin(), own.end(), is_common)) return false;
+        if (!have_common_body(brep_, f, g)) return false;
         for (const EdgeId e : brep_.edges_of(f))
             for (const VertexId end : brep_.ends_of(e)) {
                 if (!end.is_valid()) continue;

@@ -10,6 +10,7 @@
 #include <span>
 #include <unordered_set>
 
+#include "brep/common_body.h"
 #include "core/box_tree.h"
 #include "core/geometry.h"
 
@@ -29,11 +30,6 @@ Box box_of(const Mesh& mesh, const std::array<NodeId, 3>& t) {
     Box box;
     for (const NodeId n : t) box.add(mesh.point(n));
     return box;
-}
-
-bool have_common_body(const Brep& brep, FaceId f, FaceId g) {
-    const auto a = brep.bodies_of(f), b = brep.bodies_of(g);
-    return std::any_of(a.begin(), a.end(), [&](BodyId s) { return s.is_valid() && (s == b[0] || s == b[1]); });
 }
 
 /// The boxes of all triangles of each body. Kept triangles of one body do not cross; of two bodies either may have

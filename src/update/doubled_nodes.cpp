@@ -17,7 +17,6 @@ namespace {
 
 /// The nodes of an old edge or vertex on a new edge, and the parameters there from the first to the last.
 struct Stretch {
-    Entity old;
     std::vector<std::size_t> nodes;
     double first = 0, last = 0;
 
@@ -42,20 +41,18 @@ std::vector<std::size_t> doubled_nodes(const KeepInput& input, std::span<const s
         if (motions[n] == dropped || was.dim > 1) continue;
         if (now.dim == 0 && !vertices.insert(now).second) doubled.push_back(n);
         if (now.dim != 1) continue;
-        Stretch& stretch = edges[now][was];
-        stretch.old = was;
-        stretch.add(n, places.parameters()[n][0]);
+        edges[now][was].add(n, places.parameters()[n][0]);
     }
     for (const auto& [edge, stretches] : edges) {
-        std::vector<const Stretch*> taken;
-        for (const auto& [old, stretch] : stretches) {
-            const auto is_there = [&, &mine = stretch](const Stretch* other) {
-                return mine.overlaps(*other) && !share_body(input.old_brep, mine.old, other->old);
+        std::vector<const std::pair<const Entity, Stretch>*> taken;
+        for (const auto& mine : stretches) {
+            const auto is_there = [&](const auto* other) {
+                return mine.second.overlaps(other->second) && !share_body(input.old_brep, mine.first, other->first);
             };
             if (std::any_of(taken.begin(), taken.end(), is_there))
-                doubled.insert(doubled.end(), stretch.nodes.begin(), stretch.nodes.end());
+                doubled.insert(doubled.end(), mine.second.nodes.begin(), mine.second.nodes.end());
             else
-                taken.push_back(&stretch);
+                taken.push_back(&mine);
         }
     }
     return doubled;

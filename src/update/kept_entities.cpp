@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "brep/common_body.h"
 #include "core/sort_once.h"
 #include "difference/feature_difference.h"
 #include "surface/face_parameters.h"
@@ -256,10 +257,7 @@ bool KeptEntities::runs_backwards(std::size_t segment, EdgeId edge) const {
 bool share_body(const Brep& brep, Entity a, Entity b) {
     for (const FaceId of_a : brep.faces_at(a))
         for (const FaceId of_b : brep.faces_at(b))
-            for (const BodyId body : brep.bodies_of(of_a)) {
-                const auto bodies = brep.bodies_of(of_b);
-                if (body.is_valid() && std::find(bodies.begin(), bodies.end(), body) != bodies.end()) return true;
-            }
+            if (have_common_body(brep, of_a, of_b)) return true;
     return false;
 }
 

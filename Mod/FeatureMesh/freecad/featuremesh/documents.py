@@ -14,7 +14,7 @@ from xml.sax.saxutils import escape, quoteattr, unescape
 
 import FreeCAD
 
-from . import analyses, orphans, reading, disk_room, versions
+from . import analyses, disk_room, orphans, reading, versions
 from .errors import UserError
 from .messages import of_error, said
 

@@ -9,7 +9,7 @@ import itertools
 
 import FreeCAD
 
-from . import analyses, assembled, hand_over, recompute_errors, references, results, size_zone, disk_room, versions
+from . import analyses, assembled, disk_room, hand_over, recompute_errors, references, results, size_zone, versions
 from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, UP_TO_DATE, is_of_its_part
 from .reading import dependencies, has_shape
 

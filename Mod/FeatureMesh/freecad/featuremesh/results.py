@@ -125,8 +125,10 @@ def _set_label(result, label):
     if result.Label != label and not result.Document.getObjectsByLabel(label):
         settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Document")
         settings.SetBool(_DUPLICATES, True)
-        result.Label = label
-        settings.SetBool(_DUPLICATES, False)
+        try:
+            result.Label = label
+        finally:
+            settings.SetBool(_DUPLICATES, False)
 
 
 def _suffixes():
