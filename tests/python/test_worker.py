@@ -11,7 +11,7 @@ from unittest import mock
 
 import FreeCAD
 import numpy as np
-from freecad.featuremesh import api, engine, mesh_object, reading, state, worker
+from freecad.featuremesh import api, engine, mesh_object, reading, state, waiting, worker
 from freecad.featuremesh.messages import english
 from parts import groups_of, new_document, plate_with_hole
 
@@ -183,6 +183,28 @@ class SameEitherWay(InWorker):
         engine.run_here()
         self.assertEqual(engine.load().read_tree(raw), tree)
         self.assertEqual(engine.load().estimate_tets(raw, OPTIONS), count)
+
+
+class WhileACallWaits(InWorker):
+    """The window draws meanwhile, and what it draws may be asked of the same process."""
+
+    def test_another_one_gets_its_own_answer(self):
+        raw = reading.read_document(self.body)
+        mesh, _ = engine.load().mesh_part(raw, OPTIONS)
+        points, found = mesh.arrays()["points"], []
+
+        def look():
+            if not found:
+                found.append(None)
+                found[0] = mesh.wanted_sizes(points)
+        with mock.patch.object(waiting, "repaint", look):
+            _, report = engine.load().mesh_part(raw, {**OPTIONS, "size": 1.0})
+        self.assertEqual((report["size"], found[0].shape), (1.0, (len(points),)))
+
+    def test_the_process_is_stopped(self):
+        raw, mesher = reading.read_document(self.body), engine.load()
+        with self.assertRaises(worker.WorkerDied):
+            mesher.mesh_part(raw, OPTIONS, progress=lambda step, share: mesher.stop() or True)
 
 
 class Deaths(InWorker):

@@ -18,6 +18,7 @@ import tempfile
 import threading
 import time
 import weakref
+from collections import deque
 
 import FreeCAD
 
@@ -278,11 +279,18 @@ def interpreters():
     return [place for place in dict.fromkeys(places) if place and os.path.isfile(place) and os.access(place, os.X_OK)]
 
 
+class _Call:
+    """What a worker process was asked."""
+
+    progress = "", 0.0   # the step that it is at, and how far
+    answer = None        # the message, and the meshes that are new in it
+
+
 class _Process:
     """One worker process and the line to it."""
 
     def __init__(self, python, folder):
-        self._last_words = None
+        self._last_words = -1
         try:
             self._last_words, self._last_words_path = tempfile.mkstemp(prefix="featuremesh-")
             self.program = subprocess.Popen(
@@ -295,7 +303,7 @@ class _Process:
         self.engine = None   # whose meshes it makes
         self.grace = None
         self._forgotten = []
-        self._has_answered = True   # what it was asked last
+        self._waiting = deque()   # calls without an answer, in the order of those: while one waits, what the window does may ask, too
         self.about = {}   # what the engine says about itself
         threading.Thread(target=self._listen, args=(self.program.stdout,), daemon=True).start()
         self._await_ready()
@@ -353,44 +361,52 @@ class _Process:
 
     def ask(self, call, what, progress):
         """(answer, the meshes that are new in it). Throws what the engine or `progress` threw, Cancelled, and WorkerDied."""
-        self._has_answered = False
+        mine = _Call()
         try:
-            return self._ask(call, what, progress)
+            return self._ask(mine, call, what, progress)
         finally:
-            if not self._has_answered:
+            if mine.answer is None:
                 self.kill()   # what it is still at would be taken for the answer to the next call
 
-    def _ask(self, call, what, progress):
-        step, share, cancelled_at = "", 0.0, None
+    def _ask(self, mine, call, what, progress):
+        cancelled_at = None
         try:
             if self._forgotten:
                 gone, self._forgotten = self._forgotten, []
                 self._send(("forget", gone))
             self._send(("call", *call))
+            self._waiting.append(mine)
             while True:
-                data = self._next_message(_POLL)
+                data = self._next_message(_POLL) if mine.answer is None else None
                 if data is not None:
-                    (kind, *words), made = self._received(data)
-                    self._has_answered = kind != "progress"
-                    if kind == "done":
-                        if cancelled_at is not None:
-                            raise Cancelled("cancelled")   # done before it heard of that
-                        return words[0], made
+                    self._take(data)
+                if mine.answer is not None:
+                    (kind, *words), made = mine.answer
                     if kind == "error":
                         raise _error(*words)
-                    step, share = words
+                    if cancelled_at is not None:
+                        raise Cancelled("cancelled")   # done before it heard of that
+                    return words[0], made
                 let_the_window_live()
-                if cancelled_at is None and progress is not None and not progress(step, share):
+                if cancelled_at is None and progress is not None and not progress(*mine.progress):
                     cancelled_at = time.monotonic()
                     write_message(self.program.stdin, b"cancel")
                 if cancelled_at is not None and time.monotonic() - cancelled_at > (self.grace or GRACE):
                     raise Cancelled("cancelled")
         except (EOFError, OSError, pickle.UnpicklingError) as error:
-            if self._has_answered:
+            if mine.answer is not None:
                 raise
             if cancelled_at is not None:
                 raise Cancelled("cancelled") from None
-            raise self._obituary(what, step) from error
+            raise self._obituary(what, mine.progress[0]) from error
+
+    def _take(self, data):
+        """Gives a message to the call that waits longest."""
+        (kind, *words), made = self._received(data)
+        if kind == "progress":
+            self._waiting[0].progress = words
+        else:
+            self._waiting.popleft().answer = (kind, *words), made
 
     def _send(self, message):
         stream = io.BytesIO()
@@ -433,9 +449,9 @@ class _Process:
         return WorkerDied(text)
 
     def _close_last_words(self):
-        if self._last_words is not None:
+        if self._last_words >= 0:
             os.close(self._last_words)
-            self._last_words = None
+            self._last_words = -1
             self._unlink_last_words()
 
     def _unlink_last_words(self):
