@@ -251,6 +251,13 @@ class Deaths(InWorker):
         self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
         self.assertGreater(mesh.KeptNodes, 30)
 
+    def test_what_it_was_at_is_said_in_the_users_language(self):
+        german = {"working on %s": "Arbeiten an %s", "a mesh": "einem Netz"}
+        mesh, _ = engine.load().mesh_part(reading.read_document(self.body), OPTIONS)
+        self.give(signal.SIGSEGV, "PartMesh.wanted_sizes")
+        with mock.patch.object(worker, "translate", lambda _, text: german.get(text, text)), self.assertRaisesRegex(worker.WorkerDied, "Arbeiten an einem Netz"):
+            mesh.wanted_sizes(mesh.arrays()["points"])
+
     def test_killed_by_the_system(self):
         self.give(signal.SIGKILL, "surface")
         with self.assertRaisesRegex(worker.WorkerDied, "memory"):

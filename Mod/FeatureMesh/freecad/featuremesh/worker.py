@@ -215,7 +215,7 @@ class WorkerEngine:
         process = lane.running(self.folder)
         given = {**dict(zip(_PARAMETERS.get(name, ()), args)), **kwargs}
         raw = given.get("raw") or given.get("new")
-        what = translate("FeatureMesh", _DOING.get(name, _DOING[""])) % (raw["final_object"] if raw else "a mesh")
+        what = translate("FeatureMesh", _DOING.get(name, _DOING[""])) % (raw["final_object"] if raw else translate("FeatureMesh", "a mesh"))
         try:
             answer, made = process.ask((name, args, kwargs), what, progress)
         except (WorkerDied, Cancelled):

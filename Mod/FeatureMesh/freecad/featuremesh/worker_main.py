@@ -6,7 +6,7 @@
 Speaks with worker.py through standard input and output; LAST_WORDS is a file which gets what a crash interrupted. Uses neither
 FreeCAD nor anything else of this package, so it starts at once. Messages are tuples, pickled on both sides by these two programs only:
 
-    to the worker:    ("call", function, args, kwargs), ("cancel",), ("forget", keys of meshes)
+    to the worker:    ("call", function, args, kwargs), ("forget", keys of meshes), and the bare word cancel
     from the worker:  ("ready", what the engine says about itself) or ("unusable", reason), then per call any number of ("progress", step, share) and one
                       ("done", value) or ("error", class name, text, the engine's message or None)
 

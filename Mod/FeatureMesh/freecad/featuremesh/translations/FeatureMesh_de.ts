@@ -687,6 +687,10 @@
       <translation>ein mitlaufendes Ergebnis</translation>
     </message>
     <message>
+      <source>a mesh</source>
+      <translation>einem Netz</translation>
+    </message>
+    <message>
       <source>a mesh of FeatureMesh</source>
       <translation>ein Netz von FeatureMesh</translation>
     </message>
