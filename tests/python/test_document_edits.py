@@ -54,6 +54,30 @@ class Edits(unittest.TestCase):
         self.assertEqual(self.hole.Type, "Length")
         self.refused("Hole.Type=Deep", "only one of: .*ThroughAll")
 
+    def test_a_constraint_by_its_number_or_as_expressions_name_it(self):
+        number = [constraint.Name for constraint in self.sketch.Constraints].index("X") + 1
+        names = "X", "Constraint%d" % number, "Constraints.X"
+        for x, name in enumerate(names, 21):
+            self.set("HoleSketch.%s=%d" % (name, x))
+            self.assertEqual([value_to_vary(self.document, "HoleSketch." + other) for other in names], [x] * 3)
+        self.sketch.setExpression("Constraints.X", "2 * 11 mm")
+        for name in names:
+            self.refused("HoleSketch.%s=25" % name, "is driven by the expression 2 . 11")
+            with self.assertRaisesRegex(UserError, "is driven by the expression"):
+                value_to_vary(self.document, "HoleSketch." + name)
+
+    def test_what_turns_a_placement_with_and_without_its_rotation(self):
+        box = self.document.addObject("Part::Box", "Box")
+        for angle, name in ((30, "Angle"), (40, "Rotation.Angle")):
+            self.set("Box.Placement.%s=%d" % (name, angle))
+            self.assertAlmostEqual(value_to_vary(self.document, "Box.Placement.Angle"), angle)
+        self.assertEqual(value_to_vary(self.document, "Box.Placement.Axis.z"), 1)
+        box.setExpression("Placement.Rotation.Angle", "20 deg")
+        self.refused("Box.Placement.Angle=30", "is driven by the expression")
+
+    def test_the_place_of_a_sketch_can_be_varied(self):
+        self.assertEqual(value_to_vary(self.document, "HoleSketch.AttachmentOffset.Base.z"), 0)
+
     def test_label_as_object(self):
         self.plate.Label = "Base plate"
         self.set("Base plate.Length=11")

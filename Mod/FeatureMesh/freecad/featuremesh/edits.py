@@ -4,6 +4,7 @@
 import math
 import re
 import string
+from typing import Callable, NamedTuple
 
 import FreeCAD
 
@@ -18,6 +19,7 @@ _NO_CONSTRAINT = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no constrai
 _NO_CELL = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no alias or cell {name:text}{near:messages}")   # of a spreadsheet
 _WHOLE = ("App::PropertyInteger", "App::PropertyIntegerConstraint")
 _CAPITALS, _DIGITS = string.ascii_uppercase, string.digits
+_CONSTRAINTS = "Constraints"   # of a sketch, as expressions name them
 _TRUE, _FALSE = ("true", "yes", "on", "1"), ("false", "no", "off", "0")
 
 
@@ -28,27 +30,19 @@ def set_parameter(document, assignment):
     `Spreadsheet.ALIAS`. Lengths are mm and angles degrees unless the value has a unit.
     """
     target, separator, value = assignment.partition("=")
-    name, dot, path = target.strip().partition(".")
-    value = value.strip()
-    if not (separator and dot and name and path and value):
+    target, value = target.strip(), value.strip()
+    if not (separator and value and re.match(r"[^.]+\..", target)):
         raise UserError(said("cannot read the edit '{edit:text}', it has to be OBJECT.PROPERTY=VALUE", edit=assignment))
-    obj = find_object(document, name)
-    first, _, rest = path.partition(".")
-    if first in obj.PropertiesList and obj.TypeId != "Spreadsheet::Sheet":
-        _set_property(obj, first, rest, value)
-    elif obj.isDerivedFrom("Sketcher::SketchObject"):
-        _set_constraint(obj, path, value)
-    elif obj.TypeId == "Spreadsheet::Sheet":
-        _set_cell(obj, path, value)
-    else:
-        raise _unknown(obj, first, obj.PropertiesList)
+    kind, obj, path = _found(document, target)
+    kind.set(obj, path, value)
 
 
 def parameter_value(document, target, unit=""):
     """What a parameter is now: a switch, a word, or a number in that unit, without one in mm or degrees where it is a length or an angle.
     Throws UserError as set_parameter does.
     """
-    value = _value_now(document, target)
+    kind, obj, path = _found(document, target)
+    value = kind.value(obj, path)
     if not unit or isinstance(value, (bool, str)):
         return value
     return value / _quantity_of_one(unit, target)
@@ -57,17 +51,16 @@ def parameter_value(document, target, unit=""):
 def value_to_vary(document, target, unit=""):
     """The same as parameter_value. Throws UserError for what an expression drives, too."""
     value = parameter_value(document, target, unit)
-    name, _, path = target.partition(".")
-    _refuse_fixed(find_object(document, name), path)
+    kind, obj, path = _found(document, target)
+    kind.refuse_fixed(obj, path)
     return value
 
 
 def is_whole_number(document, target):
     """Has the parameter to be a whole number? That is known of a property; a cell of a spreadsheet is one where it drives such a property."""
-    name, _, path = target.partition(".")
-    sheet = find_object(document, name)
-    if sheet.TypeId != "Spreadsheet::Sheet":
-        return type(_value_now(document, target)) is int
+    kind, sheet, path = _found(document, target)
+    if kind is not _CELL:
+        return type(kind.value(sheet, path)) is int
     cell = re.compile(r"(?<!\w)%s(?!\w)" % re.escape(path))
     return any(cell.search(expression) and obj.getTypeIdOfProperty(bound.lstrip(".").split(".")[0]) in _WHOLE
                for obj in sheet.InList for bound, expression in obj.ExpressionEngine)
@@ -80,32 +73,29 @@ def _quantity_of_one(unit, where):
     return FreeCAD.Units.Quantity("1 " + unit).Value
 
 
-def _value_now(document, target):
+def _found(document, target):
+    """(the _Kind, the object, the rest) of a target such as HoleSketch.Radius. Throws UserError."""
     name, _, path = target.partition(".")
-    obj = find_object(document, name)
-    first, _, rest = path.partition(".")
-    if first in obj.PropertiesList and obj.TypeId != "Spreadsheet::Sheet":
-        return _value_of_property(obj, first, rest)
-    if obj.isDerivedFrom("Sketcher::SketchObject"):
-        constraint = obj.Constraints[_constraint_index(obj, path)]
-        return math.degrees(constraint.Value) if constraint.Type == "Angle" else constraint.Value
+    obj, first = find_object(document, name), path.partition(".")[0]
     if obj.TypeId == "Spreadsheet::Sheet":
-        value = obj.get(_cell_of(obj, path))
-        return getattr(value, "Value", value)
-    raise _unknown(obj, first, obj.PropertiesList)
+        return _CELL, obj, path
+    if obj.isDerivedFrom("Sketcher::SketchObject") and (first == _CONSTRAINTS or first not in obj.PropertiesList):
+        return _CONSTRAINT, obj, path
+    if first not in obj.PropertiesList:
+        raise _unknown(obj, first, obj.PropertiesList)
+    return _PROPERTY, obj, path
 
 
-def _refuse_fixed(obj, name):
-    """Throws UserError for a property or constraint that an expression drives."""
-    if obj.isDerivedFrom("Sketcher::SketchObject") and name not in obj.PropertiesList:
-        _refuse_driven(obj, _constraint_index(obj, name), name)
-    elif obj.TypeId == "Spreadsheet::Sheet":
-        _refuse_computed(obj, obj.getCellFromAlias(name) or name, name)
-    else:
-        _refuse_expression(obj, name)
+def _property(obj, path):
+    """(name, rest) of a path; what a placement is turned by is below its Rotation."""
+    name, _, rest = path.partition(".")
+    if isinstance(getattr(obj, name), FreeCAD.Placement) and rest.startswith(("Angle", "Axis")):
+        rest = "Rotation." + rest
+    return name, rest
 
 
-def _value_of_property(obj, name, rest):
+def _value_of_property(obj, path):
+    name, rest = _property(obj, path)
     value = getattr(obj, name)
     for step in rest.split(".") if rest else ():
         if not hasattr(value, step):
@@ -119,8 +109,9 @@ def _value_of_property(obj, name, rest):
     return value
 
 
-def _set_property(obj, name, rest, text):
-    _refuse_expression(obj, ".".join(filter(None, (name, rest))))
+def _set_property(obj, path, text):
+    name, rest = _property(obj, path)
+    _refuse_expression(obj, path)
     if obj.getEditorMode(name) and "ReadOnly" in obj.getEditorMode(name):
         raise UserError(said("{object:text}.{name:text} is read-only", object=describe(obj), name=name))
     old = getattr(obj, name)
@@ -157,10 +148,10 @@ def _with_part(obj, name, old, path, text):
             setattr(base, parts[1], _number(text, "mm", where))
             new.Base = base
             return new
-        if parts in (["Rotation", "Angle"], ["Angle"]):
+        if parts == ["Rotation", "Angle"]:
             new.Rotation = FreeCAD.Rotation(new.Rotation.Axis, _number(text, "deg", where))
             return new
-        if parts[-2:-1] == ["Axis"] and parts[-1] in ("x", "y", "z"):
+        if parts[:2] == ["Rotation", "Axis"] and parts[2:] in (["x"], ["y"], ["z"]):
             axis = FreeCAD.Vector(new.Rotation.Axis)
             setattr(axis, parts[-1], _number(text, "", where))
             angle = FreeCAD.Units.Quantity(new.Rotation.Angle, "rad").getValueAs("deg")
@@ -200,7 +191,7 @@ def _set_constraint(sketch, name, text):
     where = "%s.%s" % (describe(sketch), name)
     if not constraint.Driving:
         raise UserError(said("{target:text} is a reference dimension, it only measures", target=where))
-    _refuse_driven(sketch, index, name)
+    _refuse_driven(sketch, name)
     unit = "deg" if constraint.Type == "Angle" else "mm"
     quantity = FreeCAD.Units.Quantity("%.17g %s" % (_number(text, unit, where), unit))
     try:
@@ -209,9 +200,15 @@ def _set_constraint(sketch, name, text):
         raise UserError(said("FreeCAD refuses {value:text} for {target:text}: {why:messages}", value=text, target=where, why=of_error(error))) from error
 
 
-def _refuse_driven(sketch, index, name):
+def _value_of_constraint(sketch, name):
+    constraint = sketch.Constraints[_constraint_index(sketch, name)]
+    return math.degrees(constraint.Value) if constraint.Type == "Angle" else constraint.Value
+
+
+def _refuse_driven(sketch, name):
+    index = _constraint_index(sketch, name)
     for path, expression in sketch.ExpressionEngine:
-        if path.lstrip(".") in ("Constraints.%s" % name, "Constraints[%d]" % index):
+        if path.lstrip(".") in ("Constraints.%s" % sketch.Constraints[index].Name, "Constraints[%d]" % index):
             raise _driven(sketch, name, expression)
 
 
@@ -221,16 +218,20 @@ def _constraint_index(sketch, name):
         if constraint.Type in DIMENSIONS:
             dimensions[constraint.Name or "Constraint%d" % (index + 1)] = index
             dimensions["Constraint%d" % (index + 1)] = index
-    if name.startswith("Constraints."):
-        name = name[len("Constraints."):]
+    name = name.removeprefix(_CONSTRAINTS + ".")
     if name not in dimensions:
         raise _unknown(sketch, name, dimensions, _NO_CONSTRAINT)
     return dimensions[name]
 
 
+def _value_of_cell(sheet, name):
+    value = sheet.get(_cell_of(sheet, name))
+    return getattr(value, "Value", value)
+
+
 def _set_cell(sheet, name, text):
     cell = _cell_of(sheet, name)
-    _refuse_computed(sheet, cell, name)
+    _refuse_computed(sheet, name)
     sheet.set(cell, _content_like(sheet, cell, text.lstrip("="), "%s.%s" % (describe(sheet), name)))
 
 
@@ -266,14 +267,15 @@ def _is_cell(name):
     return name[:1] in _CAPITALS and name.lstrip(_CAPITALS).isdigit()
 
 
-def _refuse_computed(sheet, cell, name):
-    content = sheet.getContents(cell)
+def _refuse_computed(sheet, name):
+    content = sheet.getContents(_cell_of(sheet, name))
     if content.startswith("=") and any(letter.isalpha() for letter in content[1:]) and not _is_quantity(content[1:]):
         raise UserError(said("{object:text}.{name:text} is computed ({content:text}), change what it depends on",
                              object=describe(sheet), name=name, content=content))
 
 
 def _refuse_expression(obj, path):
+    path = ".".join(filter(None, _property(obj, path)))
     for bound, expression in obj.ExpressionEngine:
         bound = bound.lstrip(".")
         if bound == path or bound.startswith(path + ".") and bound != path + ".Enum":   # that is the list to choose from, as of a table of configurations
@@ -346,3 +348,15 @@ def _same(got, wanted):
     if isinstance(wanted, float):
         return abs(got - wanted) <= 1e-9 * max(1.0, abs(wanted))
     return got == wanted
+
+
+class _Kind(NamedTuple):
+    """What can be done with a parameter of one kind."""
+    set: Callable            # (object, path, text)
+    value: Callable          # (object, path)
+    refuse_fixed: Callable   # the same; throws UserError for what an expression drives
+
+
+_CELL = _Kind(_set_cell, _value_of_cell, _refuse_computed)
+_CONSTRAINT = _Kind(_set_constraint, _value_of_constraint, _refuse_driven)
+_PROPERTY = _Kind(_set_property, _value_of_property, _refuse_expression)
