@@ -13,7 +13,7 @@ import numpy as np
 import ObjectsFem
 import Part
 from analyses import add_material, add_solver, quantity, solve
-from freecad.featuremesh import api, assembled, mesh_object, versions
+from freecad.featuremesh import api, assembled, mesh_object, tasks, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import in_english
 from parts import groups_in_freecad, new_document, placement
@@ -336,6 +336,22 @@ class Assembly(InADocument):
         with self.assertRaisesRegex(UserError, "Empty has no part with a solid"):
             api.add_mesh(empty, 2.0)
         self.assertEqual([obj for obj in self.document.Objects if assembled.is_assembled(obj)], [])
+
+    def test_a_command_takes_the_name_of_a_container(self):
+        tower(self.document, self.document.addObject("App::Part", "Machine"))
+        folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, folder)
+        path, edited = (os.path.join(folder, name + ".FCStd") for name in ("machine", "edited"))
+        self.document.saveAs(path)
+
+        def run(task, **words):
+            new_document()   # closes what the one before has open
+            return task({"part": path, "object": "Machine", **words})
+        run(tasks.mesh, size=5.0, order=1)
+        self.assertRegex(run(tasks.update, set=["Plate9.Length=9"], out=edited)[0], r"^FeatureMesh has \d+ nodes")
+        _, found = run(tasks.diff, old=path, new=edited)
+        self.assertEqual([feature["name"] for feature in found["features"] if feature["verdict"] == "reshaped"], ["Plate9"])
+        self.assertEqual(run(tasks.tree)[1]["object"], "AssembledParts")
 
     def test_saved_and_reopened_it_updates_as_locally(self):
         container = self.document.addObject("App::Part", "Machine")

@@ -118,7 +118,7 @@ def adopt_mesh(foreign, part=None, size=None, progress=None, in_place_of=None, t
     if not foreign.isDerivedFrom("Fem::FemMeshObject"):
         raise UserError(said("{foreign:text} is no FEM mesh", foreign=reading.describe(foreign)))
     part = part or adopt.part_of(foreign) or reading.find_meshable(foreign.Document)
-    others = [mesh for mesh in meshes_of(foreign.Document) if versions.part_of(mesh) is part]
+    others = [mesh for mesh in meshes_of(foreign.Document) if is_mesh_of(mesh, part)]
     if others and in_place_of is None:
         raise UserError(said("{part:text} has a mesh already: {mesh:text}; delete one of the two",
                              part=reading.describe(part), mesh=reading.describe(others[0])))
@@ -458,6 +458,11 @@ def meshes_of(document):
     return [obj for obj in document.Objects if is_feature_mesh(obj)]
 
 
+def is_mesh_of(mesh, part):
+    """Is it the mesh of that part, or of the container or link in which it is shown?"""
+    return versions.part_of(mesh) is part or assembled.shows(versions.part_of(mesh), part)
+
+
 def about():
     """[(name, value)] of what a bug report needs to know: versions, where things are and how they were installed, where the log is."""
     return facts()
@@ -490,12 +495,12 @@ def find_part(document, name=None):
 
 
 def find_mesh(document, part_name=None):
-    """The document's mesh object, of that part when named. Throws UserError: none, or several."""
+    """The document's mesh object, of that part, container or link when named. Throws UserError: none, or several."""
     refuse_no_document(document)
     meshes = meshes_of(document)
     if part_name:
         part = reading.find_object(document, part_name)
-        meshes = [mesh for mesh in meshes if part in (mesh, versions.part_of(mesh))]
+        meshes = [mesh for mesh in meshes if mesh is part or is_mesh_of(mesh, part)]
     if not meshes:
         raise UserError(said("the document {document:text} has no mesh{of_part:messages}; make one with `featuremesh mesh`",
                              document=document.Label, of_part=said(" of {part:text}", part=part_name) if part_name else ""))

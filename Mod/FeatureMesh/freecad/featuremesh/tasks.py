@@ -47,7 +47,7 @@ def adopt(task):
     """Makes another maker's mesh in a document ours and saves it."""
     document = documents.open_document(task["part"])
     foreign = reading.find_object(document, task["mesh"])
-    part = reading.find_meshable(document, task["object"]) if task.get("object") else None
+    part = api.find_part(document, task["object"]) if task.get("object") else None
     obj, report = api.adopt_mesh(foreign, part, task.get("size"), _progress)
     report["seconds"]["recompute"] = 0.0
     out = _save(document, task, report)
@@ -92,8 +92,8 @@ def solve(task):
 
 def diff(task):
     """The feature difference of two documents."""
-    old = reading.find_meshable(documents.open_document(task["old"]), task.get("object"))
-    new = reading.find_meshable(documents.open_document(task["new"]), task.get("object"))
+    old = api.find_part(documents.open_document(task["old"]), task.get("object"))
+    new = api.find_part(documents.open_document(task["new"]), task.get("object"))
     found = plain(api.difference(old, new))
     message = tables.of_difference(found)
     if task.get("picture"):
@@ -104,7 +104,7 @@ def diff(task):
 
 def tree(task):
     """The feature tree as the engine understands it."""
-    part = reading.find_meshable(documents.open_document(task["part"]), task.get("object"))
+    part = api.find_part(documents.open_document(task["part"]), task.get("object"))
     found = plain(api.tree(part))
     return tables.of_tree(found), found
 

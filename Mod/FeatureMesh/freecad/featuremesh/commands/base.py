@@ -67,13 +67,8 @@ def selected_meshes(document):
     selected = _selected(document)
     chosen = [obj for obj in selected if is_feature_mesh(obj)]
     parts = list(map(_part_of, selected))
-    of_parts = [mesh for mesh in api.meshes_of(document) if any(is_mesh_of(mesh, part) for part in parts)]
+    of_parts = [mesh for mesh in api.meshes_of(document) if any(api.is_mesh_of(mesh, part) for part in parts)]
     return chosen or (of_parts if len(of_parts) == 1 else [])
-
-
-def is_mesh_of(mesh, part):
-    """Is it the mesh of that part, or of the container or link in which it is shown?"""
-    return versions.part_of(mesh) is part or assembled.shows(versions.part_of(mesh), part)
 
 
 def chosen(document, mesh):

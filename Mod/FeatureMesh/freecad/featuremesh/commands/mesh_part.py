@@ -7,7 +7,7 @@ from .. import analyses, api, preferences
 from ..errors import UserError
 from ..gui import message_box, recording
 from ..messages import said
-from .base import MeshCommand, is_mesh_of, only_shown_part, selected_container, selected_part
+from .base import MeshCommand, only_shown_part, selected_container, selected_part
 
 translate = FreeCAD.Qt.translate
 
@@ -23,7 +23,7 @@ class Command(MeshCommand):
 
     def run(self, document):
         part = selected_container(document) or only_shown_part(document) or selected_part(document)
-        existing = [mesh for mesh in api.meshes_of(document) if is_mesh_of(mesh, part)]
+        existing = [mesh for mesh in api.meshes_of(document) if api.is_mesh_of(mesh, part)]
         if not existing:
             self.add_first(document, part)
             return

@@ -46,7 +46,7 @@ def make(plain_study, out):
 
 def _mesh_of(document, study):
     """The document's mesh, with the size and order that the study asks for, or a new one."""
-    part = reading.find_meshable(document, study.object)
+    part = api.find_part(document, study.object)
     found = [mesh for mesh in api.meshes_of(document) if versions.part_of(mesh) is part]
     if not found:
         return api.add_mesh(part, study.mesh_size, study.mesh_order or 2, in_place_of=_other_makers_mesh(document, study))
