@@ -19,6 +19,7 @@ from freecad.featuremesh import api, engine, engine_places, mesh_object, mesh_pr
 from freecad.featuremesh.assembled import AssembledParts
 from freecad.featuremesh.errors import EngineMissing, UserError
 from freecad.featuremesh.formats import is_single_entity
+from freecad.featuremesh.gui.undo import undo_step
 from freecad.featuremesh.live_result import LiveResult
 from freecad.featuremesh.messages import english
 from freecad.featuremesh.study.study_object import StudyObject
@@ -303,17 +304,20 @@ class SavedAs(MeshedPlate):
 
     def test_a_state_that_is_lost_is_said(self):
         self.document.UndoMode = 1
-        self.document.openTransaction("Edit")
-        self.edit()
-        self.document.commitTransaction()
-        for name in os.listdir(self.document.TransientDir):
-            if name != os.path.basename(self.mesh.SavedState):
-                os.unlink(os.path.join(self.document.TransientDir, name))
-        self.document.undo()
-        self.assertEqual(self.mesh.Status, "failed: the document holds no mesh state")
-        self.document.recompute()
-        api.update_mesh(self.mesh)
-        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        for x, is_folder_lost in ((22, False), (24, True)):
+            with undo_step(self.document, "Edit"):
+                self.edit(x)
+            folder = self.document.TransientDir
+            for name in os.listdir(folder):
+                if name != os.path.basename(self.mesh.SavedState):
+                    os.unlink(os.path.join(folder, name))
+            if is_folder_lost:
+                shutil.rmtree(folder)
+            self.document.undo()
+            self.assertEqual(self.mesh.Status, "failed: the document holds no mesh state")
+            self.document.recompute()
+            api.update_mesh(self.mesh)
+            self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
 
 
 class Members(MeshedPlate):
@@ -362,6 +366,19 @@ class Parts(MeshedPlate):
             api.update_mesh(self.mesh)
         self.assertEqual(points_of(self.mesh), before)
         self.save_and_reopen()
+        self.assertEqual(points_of(self.mesh), before)
+        shared = api.share_mesh(self.mesh, self.document.addObject("Fem::FemAnalysis", "Analysis"))
+        self.assertEqual(points_of(shared), before)
+        api.renumber_mesh(self.mesh)
+        self.assertEqual(set(points_of(shared)), set(range(1, len(before) + 1)))
+
+    def test_undo_of_an_edit_without_the_part(self):
+        self.document.UndoMode = 1
+        before = points_of(self.mesh)
+        with undo_step(self.document, "Edit"):
+            self.edit()
+        setattr(self.mesh, versions.part_property(self.mesh), None)
+        self.document.undo()
         self.assertEqual(points_of(self.mesh), before)
 
     def test_undo_of_the_deletion(self):

@@ -56,7 +56,7 @@ def write(mesh, path, file_format):
             temporary = os.path.join(folder, name + "." + file_format)   # FreeCAD reads a MED mesh by its file's name only
             writer = FORMATS[file_format]
             if writer is None:
-                _write_by_freecad(hand_over.to_fem_mesh(mesh.Proxy.last_part_mesh(mesh), groups) if groups else mesh.FemMesh, temporary)
+                _write_by_freecad(hand_over.build(mesh.Proxy.arrays(mesh), groups) if groups else mesh.FemMesh, temporary)
             else:
                 writer.write(temporary, state.load(mesh.SavedState).arrays, groups)
             if os.path.exists(target):

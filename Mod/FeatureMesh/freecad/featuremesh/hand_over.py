@@ -16,11 +16,12 @@ import Fem
 import FreeCAD
 import numpy as np
 
-from . import analyses
+from . import analyses, versions
 from .formats import FILLING, connectivity, entity_name, is_single_entity, vtk
 from .given_mesh import empty
 from .materials import material_groups
 from .messages import said
+from .reading import has_shape
 from .resolving import Resolver
 from .waiting import let_the_window_live
 
@@ -38,11 +39,6 @@ NO_SEGMENTS = {"segments": np.zeros((0, 2), np.int32), "segment_mids": np.zeros(
                "segment_numbers": np.zeros(0, np.int64)}
 NO_TRIANGLES = {"triangles": np.zeros((0, 3), np.int32), "triangle_mids": np.zeros((0, 3), np.int32), "triangle_faces": np.zeros(0, np.int32),
                 "triangle_numbers": np.zeros(0, np.int64)}
-
-
-def to_fem_mesh(part_mesh, groups):
-    """A Fem.FemMesh with the numbers of `part_mesh` and the groups (name, kind, numbers)."""
-    return build(part_mesh.arrays(), groups)
 
 
 def skin(obj, arrays):
@@ -65,7 +61,7 @@ def has_gaps(arrays):
 
 
 def build(arrays, groups):
-    """The Fem.FemMesh with these arrays, numbers and groups."""
+    """The Fem.FemMesh with these arrays, numbers and groups (name, kind, numbers)."""
     window_would_wait = FreeCAD.GuiUp and len(arrays["tets"]) >= _LARGE
     mesh = _read_back(arrays) if _is_counted(arrays) and len(groups) <= _FEW_GROUPS and not window_would_wait else None
     if mesh is None:
@@ -225,9 +221,12 @@ def lies_on(arrays, shape):
     return 2 * sum(far) <= len(far)
 
 
-def groups_of(arrays, owners_of_tets, mesh, part, raw=None, analysis_of=None):
+def groups_of(arrays, owners_of_tets, mesh, raw=None, analysis_of=None):
     """The groups that the mesh object `mesh` has in FreeCAD: per group object and per member of its analysis, or of that of the object
-    `analysis_of`, and with its property AllGroups everything_in_groups. `raw` is the part as it was read for the mesh."""
+    `analysis_of`, and with its property AllGroups everything_in_groups; none where its part is gone. `raw` is the part as it was read for the mesh."""
+    part = versions.part_of(mesh)
+    if part is None or not has_shape(part):
+        return []
     resolver = Resolver(part, raw)
     entities = EntityGroups(arrays)
     groups = everything_in_groups(entities, owners_of_tets) if mesh.AllGroups else []
@@ -391,12 +390,12 @@ def _groups_of_references(name, group, resolver, entities):
     return result
 
 
-def remarks_on_groups(part_mesh, mesh, part, raw=None):
+def remarks_on_groups(part_mesh, mesh, raw):
     """Which mesh group objects have nodes and no elements, as messages."""
     groups, arrays = getattr(mesh, "MeshGroupList", []), part_mesh.arrays()
     if not groups or not len(arrays["shared_nodes"]):
         return []
-    small, resolver = EntityGroups(arrays).names_without_elements(), Resolver(part, raw)
+    small, resolver = EntityGroups(arrays).names_without_elements(), Resolver(versions.part_of(mesh), raw)
     named = [(group, resolver.of_object(group)[0]) for group in groups]
     return [said("{group:text} has nodes and no elements: {places:entities} is too small for them, or lies on another face; choose another face, or set Ignore below to off",
                  group=group.Label, places=names) for group, names in named if names and small.issuperset(names)]

@@ -211,7 +211,7 @@ class FeatureMesh(Stateless):
             report["warnings"] = report.get("warnings", []) + moved
             self.settle(mesh, self._referring(mesh), job.raw)
         report["warnings"] += self._what_is_elsewhere(mesh, analyses.dependents_of(mesh), job.raw).values()
-        report["warnings"] += hand_over.remarks_on_groups(job.part_mesh, mesh, versions.part_of(mesh), job.raw) + remarks_on_form(mesh, element_count(report))
+        report["warnings"] += hand_over.remarks_on_groups(job.part_mesh, mesh, job.raw) + remarks_on_form(mesh, element_count(report))
         return report
 
     def catch_up(self, mesh, raw):
@@ -378,13 +378,10 @@ class FeatureMesh(Stateless):
 
     def groups_as_saved(self, mesh, arrays, shown_by):
         """The groups of the saved mesh with those arrays, for itself or another object that it is `shown_by`; those of features only where the engine is."""
-        part = versions.part_of(mesh)
-        if part is None or not has_shape(part):
-            return []
         try:
-            return hand_over.groups_of(arrays, lambda: self.last_part_mesh(mesh).owners_of_tets(), mesh, part, analysis_of=shown_by)
+            return hand_over.groups_of(arrays, lambda: self.last_part_mesh(mesh).owners_of_tets(), mesh, analysis_of=shown_by)
         except EngineMissing:   # which was said
-            return hand_over.groups_of(arrays, list, mesh, part, analysis_of=shown_by)
+            return hand_over.groups_of(arrays, list, mesh, analysis_of=shown_by)
 
     def renew_groups(self, mesh):
         """Makes the groups of constraints, materials and mesh group objects anew, without touching the mesh."""
@@ -470,7 +467,7 @@ class FeatureMesh(Stateless):
         give(mesh, self._fem_mesh(mesh, part_mesh), hand_over.skin(mesh, part_mesh.arrays()))
 
     def _fem_mesh(self, mesh, part_mesh, raw=None):
-        return hand_over.to_fem_mesh(part_mesh, hand_over.groups_of(part_mesh.arrays(), part_mesh.owners_of_tets, mesh, versions.part_of(mesh), raw))
+        return hand_over.build(part_mesh.arrays(), hand_over.groups_of(part_mesh.arrays(), part_mesh.owners_of_tets, mesh, raw))
 
     def _referring(self, mesh):
         """Everything whose references are of this mesh's part."""

@@ -65,9 +65,9 @@ class SharedMesh(Stateless):
         if checksum == self._shown and not anew:
             return
         if checksum:
-            part_mesh, resolver = mesh.Proxy.last_part_mesh(mesh), Resolver(versions.part_of(mesh))
-            groups = hand_over.groups_of(part_mesh.arrays(), part_mesh.owners_of_tets, mesh, resolver.part, analysis_of=shared)
-            give(shared, hand_over.to_fem_mesh(part_mesh, groups), hand_over.skin(shared, part_mesh.arrays()))
+            part_mesh = mesh.Proxy.last_part_mesh(mesh)
+            groups = hand_over.groups_of(part_mesh.arrays(), part_mesh.owners_of_tets, mesh, analysis_of=shared)
+            give(shared, hand_over.build(part_mesh.arrays(), groups), hand_over.skin(shared, part_mesh.arrays()))
         else:
             give(shared, Fem.FemMesh())
         self._shown = checksum

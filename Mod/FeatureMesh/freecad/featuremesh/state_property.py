@@ -2,6 +2,7 @@
 """The file of a mesh's saved state within its document: FreeCAD copies, renames and loses it, and a mesh must have its own all the same."""
 
 import contextlib
+import glob
 import os
 import shutil
 import tempfile
@@ -49,8 +50,7 @@ def bring_back(mesh):
     wanted = mesh.StateName
     if not wanted or state.checksum_of(mesh.SavedState) == wanted:
         return
-    folder = mesh.Document.TransientDir
-    kept = [os.path.join(folder, name) for name in os.listdir(folder) if wanted[:_NAMED_BY] in name]
+    kept = glob.glob("%s/*%s*" % (glob.escape(mesh.Document.TransientDir), wanted[:_NAMED_BY]))
     found = next((path for path in kept if state.checksum_of(path) == wanted), None)
     if found is not None:
         with tempfile.TemporaryDirectory(prefix="featuremesh-") as own:
