@@ -126,6 +126,11 @@ class SolveGuard(unittest.TestCase):
         self.document.recompute()
         self.assertEqual((self.problem(), self.document.FeatureMesh.FemMesh.BoundBox.XMax), ("", 50))
 
+    def test_a_mesh_whose_part_was_deleted(self):
+        self.document.removeObject(self.part.Name)
+        for asked in (self.problem(), solve_guard.reason(self.analysis)):
+            self.assertRegex(asked, "^FeatureMesh has no part to mesh")
+
     def test_what_is_too_small_for_elements(self):
         """A load on it is refused; a support has the nodes in its place."""
         step = self.document.addObject("Part::Box", "Step")

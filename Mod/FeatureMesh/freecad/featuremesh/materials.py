@@ -40,8 +40,10 @@ def material_groups(materials, resolver, entities):
 
 def doubt(materials, resolver, entities):
     """Why it is not clear which of several materials a solid has, as a message; None where it is, or cannot be told. CalculiX would take the last one."""
+    if len(materials) < 2:
+        return None
     solids = {material: _solids_of(material, resolver, entities) for material in materials if material.References}
-    if len(materials) < 2 or None in solids.values():
+    if None in solids.values():
         return None
     for solid in entities.solids():
         on_it = [material.Label for material, own in solids.items() if solid in own]

@@ -22,7 +22,7 @@ from .noted_parts import NotedParts
 from .numbering import Numbering
 from .proxies import Stateless
 from .reading import describe, elements_of_today, has_shape, read_document, refuse_gone, shape_of_record, with_elements
-from .refusals import part_to_mesh, refuse_no_size
+from .refusals import no_part, part_to_mesh, refuse_no_size
 from .reports import add_fallback, plain, remarks_of
 from .resolving import CLICKED, Resolver
 from .user_words import in_words
@@ -231,6 +231,8 @@ class FeatureMesh(Stateless):
 
     def why_not_to_solve(self, mesh):
         """Why no analysis must be solved on the mesh as it is, as a sentence; "" when it may."""
+        if versions.part_of(mesh) is None:
+            return in_words(no_part(mesh))
         status = OUT_OF_DATE if self.missed_an_edit(mesh) else mesh.Status
         if status == UP_TO_DATE:
             return ""

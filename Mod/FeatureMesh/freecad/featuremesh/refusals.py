@@ -39,8 +39,13 @@ def part_to_mesh(mesh):
     """The part of a mesh object. Throws UserError where it has none."""
     part = versions.part_of(mesh)
     if part is None:
-        raise UserError(said("{mesh:text} has no part to mesh, set its property {property:text}", mesh=describe(mesh), property=versions.part_property(mesh)))
+        raise UserError(no_part(mesh))
     return part
+
+
+def no_part(mesh):
+    """That a mesh object has none."""
+    return said("{mesh:text} has no part to mesh, set its property {property:text}", mesh=describe(mesh), property=versions.part_property(mesh))
 
 
 def pairs_given(references, part):

@@ -25,49 +25,46 @@ tell = None
 
 def reason(analysis):
     """Why the analysis must not be solved now, as a sentence; "" when nothing is in the way."""
-    if analysis is not None and not analyses.meshes_of(analysis) and _ours_in(analysis.Document):
-        return translate("FeatureMesh", "%s has no mesh; let it share %s (api.share_mesh), or give it one of its own") % (
-            analysis.Label, _ours_in(analysis.Document)[0].Label)
-    for mesh in analyses.meshes_of(analysis) if analysis is not None else ():
-        problem = mesh.Proxy.why_not_to_solve(mesh) or not_recomputed(mesh) or _clicked_elsewhere(analysis, mesh) \
-            or _without_elements(analysis, mesh) or _material_in_doubt(analysis, mesh) if analyses.is_ours(mesh) else ""
+    if analysis is None:
+        return ""
+    meshes, known = analyses.meshes_of(analysis), [obj for obj in analysis.Document.Objects if analyses.source_of(obj) is obj]
+    if known and not meshes:
+        return translate("FeatureMesh", "%s has no mesh; let it share %s (api.share_mesh), or give it one of its own") % (analysis.Label, known[0].Label)
+    for mesh in filter(analyses.is_ours, meshes):
+        problem = mesh.Proxy.why_not_to_solve(mesh) or _why_not_on(analyses.source_of(mesh), analysis)
         if problem:
             return problem
-    return _lost(analysis) or _without_trace(analysis)
+    return _lost(analysis)
+
+
+def _why_not_on(mesh, analysis):
+    """What of the analysis does not go with a mesh of ours that is up to date."""
+    resolver, entities = resolving.Resolver(versions.part_of(mesh)), EntityGroups(mesh.Proxy.arrays(mesh))
+    return _not_recomputed(mesh) or mesh.Proxy.clicked_elsewhere(mesh, analysis.Group) or _without_elements(analysis, resolver, entities) \
+        or _material_in_doubt(analysis, resolver, entities) or _without_trace(analysis, resolver)
 
 
 def _lost(analysis):
-    return next((sentence for _, sentence in references.unmended(analysis)), "") if analysis is not None else ""
+    return next((sentence for _, sentence in references.unmended(analysis)), "")
 
 
-def _without_trace(analysis):
+def _without_trace(analysis, resolver):
     """A load on a face of the part and on one of an earlier feature of which nothing is left would lose its share there in silence."""
-    sources = map(analyses.source_of, analyses.meshes_of(analysis)) if analysis is not None else ()
-    for source in filter(None, sources):
-        resolver = resolving.Resolver(versions.part_of(source))
-        for member in analysis.Group:
-            if hasattr(member, "References") and not is_material(member) and resolver.without_trace(member):
-                return in_words(references.elsewhere([member], resolver)[member.Name])
+    for member in analysis.Group:
+        if hasattr(member, "References") and not is_material(member) and resolver.without_trace(member):
+            return in_words(references.elsewhere([member], resolver)[member.Name])
     return ""
 
 
-def not_recomputed(mesh):
-    """What its part comes from and was edited since the last recompute, as a sentence; "" when nothing was."""
-    source = analyses.source_of(mesh)
-    edited = history.edited_behind(source) if source is not None else []
+def _not_recomputed(mesh):
+    """What its part comes from and was edited since the last recompute."""
+    edited = history.edited_behind(mesh)
     return translate("FeatureMesh", "%s was edited and not recomputed; recompute the document before solving") % describe(edited[0]) if edited else ""
 
 
-def _clicked_elsewhere(analysis, mesh):
-    source = analyses.source_of(mesh)
-    return source.Proxy.clicked_elsewhere(source, analysis.Group) if source is not None else ""
-
-
-def _without_elements(analysis, mesh):
+def _without_elements(analysis, resolver, entities):
     """A load on nothing but what is too small for elements would be left out of the input."""
-    source = analyses.source_of(mesh)
-    small = EntityGroups(source.Proxy.arrays(source)).names_without_elements() if source is not None else ()
-    resolver = resolving.Resolver(versions.part_of(source)) if small else None
+    small = entities.names_without_elements()
     for member in analysis.Group if small else ():
         if hasattr(member, "References") and not any(member.isDerivedFrom(kind) for kind in _ON_NODES):
             names, foreign = resolver.of_object(member)
@@ -76,29 +73,22 @@ def _without_elements(analysis, mesh):
     return ""
 
 
-def _material_in_doubt(analysis, mesh):
+def _material_in_doubt(analysis, resolver, entities):
     """Solids have become one, or there is another one, since materials were chosen for them."""
-    source, chosen = analyses.source_of(mesh), list(filter(is_material, analysis.Group))
-    if source is None or len(chosen) < 2:
-        return ""
-    problem = materials.doubt(chosen, resolving.Resolver(versions.part_of(source)), EntityGroups(source.Proxy.arrays(source)))
+    problem = materials.doubt(list(filter(is_material, analysis.Group)), resolver, entities)
     return in_words(problem) if problem else ""
-
-
-def _ours_in(document):
-    return [obj for obj in document.Objects if analyses.source_of(obj) is obj]
 
 
 def refuse(analysis):
     """Throws UserError when the analysis must not be solved now."""
-    if reason(analysis):
-        raise UserError(reason(analysis))
+    if problem := reason(analysis):
+        raise UserError(problem)
 
 
 def refuse_lost(analysis):
     """Throws UserError when a load of the analysis has lost its face, or what it acts along."""
-    if _lost(analysis):
-        raise UserError(_lost(analysis))
+    if problem := _lost(analysis):
+        raise UserError(problem)
 
 
 def install():
