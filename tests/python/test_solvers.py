@@ -5,7 +5,7 @@ import unittest
 
 import ObjectsFem
 from analyses import add_solver
-from freecad.featuremesh import api, calculix, live_result, solvers, solving, statics, tasks
+from freecad.featuremesh import api, calculix, live_result, solvers, statics, tasks
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from freecad.featuremesh.study import mass
@@ -52,33 +52,29 @@ class SeveralSolvers(Case):
             self.of_the_box.Group = [solver] + [member for member in self.of_the_box.Group if member is not solver]
         return solver
 
-    def both(self):
-        return calculix.solver_of(self.of_the_box), solving.solver_of(self.of_the_box)
-
     def test_the_one_for_statics_is_taken_wherever_it_is(self):
         self.add_one("frequency", first=True)
         self.add_one("buckling")
-        self.assertEqual(self.both(), (self.first, self.first))
+        self.assertEqual(calculix.solver_of(self.of_the_box), self.first)
 
     def test_other_programs_solvers_are_none_of_calculix(self):
         for make in (ObjectsFem.makeSolverElmer, ObjectsFem.makeSolverZ88):
             self.of_the_box.addObject(make(self.document))
-        self.assertEqual(self.both(), (self.first, self.first))
+        self.assertEqual(calculix.solver_of(self.of_the_box), self.first)
 
     def test_the_only_one_is_taken_whatever_it_asks_for(self):
         self.first.AnalysisType = "frequency"
-        self.assertEqual(self.both(), (self.first, self.first))
+        self.assertEqual(calculix.solver_of(self.of_the_box), self.first)
 
     def test_where_two_may_be_meant_both_are_named(self):
         self.add_one().Label = "Other one"
-        for find in (calculix.solver_of, solving.solver_of):
-            with self.assertRaisesRegex(UserError, "has several CalculiX solvers that may be meant, leave one of them in it: .*Solver.*, .*Other one"):
-                find(self.of_the_box)
+        with self.assertRaisesRegex(UserError, "has several CalculiX solvers that may be meant, leave one of them in it: .*Solver.*, .*Other one"):
+            calculix.solver_of(self.of_the_box)
 
     @unittest.skipUnless(hasattr(ObjectsFem, "makeSolverCalculiX"), "this FreeCAD has no other solver object of CalculiX")
     def test_freecads_tools_take_their_own_kind(self):
         self.of_the_box.addObject(ObjectsFem.makeSolverCalculiX(self.document))
-        self.assertEqual(self.both(), (self.first, self.first))
+        self.assertEqual(calculix.solver_of(self.of_the_box), self.first)
 
     @unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
     def test_the_live_result_is_that_of_linear_statics(self):
@@ -106,7 +102,7 @@ class SeveralSolvers(Case):
         self.of_the_box.addObject(inner)
         add_solver(self.document, inner)
         self.assertEqual(statics.solve(self.of_the_box)[1]["responses"], alone)
-        self.assertEqual(self.both(), (self.first, self.first))
+        self.assertEqual(calculix.solver_of(self.of_the_box), self.first)
 
     @unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
     def test_a_part_within_it_is_none_of_its_loads(self):
@@ -122,6 +118,21 @@ class SeveralSolvers(Case):
         report = api.solve_analysis(self.of_the_box, "ccx")
         self.assertIn("solved as %s asks, not %s" % (self.first.Name, other.Name), list(map(english, report["warnings"])))
         self.assertGreater(api.solve(self.of_the_box).figures["stress"], 0)
+
+    @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+    def test_freecads_other_solver_object_is_enough(self):
+        make = getattr(ObjectsFem, "makeSolverCalculiX", None) or ObjectsFem.makeSolverCalculix
+        self.document.removeObject(self.first.Name)
+        self.of_the_box.addObject(make(self.document))
+        for solve in (api.solve, lambda analysis: api.solve_analysis(analysis, "ccx")):
+            solve(self.of_the_box)
+            self.assertEqual(len(solvers.of_calculix(self.of_the_box)), 1)
+
+    def test_what_calculix_says_when_it_fails(self):
+        for words, shown in ((" reading\n *ERROR in e_c3d: no\n   section\n of 7\n end", "ERROR in e_c3d: no section of 7"), ("one\ntwo\nthree\nfour", "two three four"),
+                             ("", "it says nothing of why")):
+            with self.assertRaisesRegex(UserError, "^CalculiX failed .exit code 201.: .?%s$" % shown):
+                calculix.refuse_failure(201, words)
 
     @unittest.skipUnless(HAS_SOLVER and shutil.which("ccx"), "PETSc or CalculiX is not installed")
     def test_beside_a_live_result_calculix_gives_its_own(self):

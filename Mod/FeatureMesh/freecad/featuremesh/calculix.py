@@ -12,14 +12,17 @@ import shutil
 import sys
 import tempfile
 import time
+from types import SimpleNamespace
 
 import FreeCAD
 import numpy as np
+import ObjectsFem
 from femtools import ccxtools
 
-from . import analyses, frd, modes, parent_process, solvers, solving, statics, statics_model, statics_result, versions
+from . import analyses, frd, modes, parent_process, solvers, statics, statics_model, statics_result, versions
 from .errors import UserError
 from .messages import said
+from .proxies import type_of
 from .reading import describe
 
 _TOTAL = re.compile(r"total force \(fx,fy,fz\) for set (\S+) and time\s+\S+\s+(\S+)\s+(\S+)\s+(\S+)")
@@ -29,12 +32,38 @@ _ALL = re.compile(r"^\*ELSET,\s*ELSET=(Eall|Evolumes)\s*$", re.MULTILINE | re.IG
 _NODE_FILE = re.compile(r"^\*NODE FILE\nU\n", re.MULTILINE)
 _STATIC = re.compile(r"^\*STATIC\s*$", re.MULTILINE)
 _MANY = 50_000   # unknowns, from which on the iterative solver is faster
-_SHOWN = 600     # characters of what CalculiX says when it fails
+_SHOWN = 3       # lines of what CalculiX says when it fails
 
 
 def solve(analysis):
     """Runs CalculiX and leaves FreeCAD's result object in the analysis. Returns the report, keys as statics.solve. Throws UserError."""
-    program()   # refuses before anything is written
+    start = time.perf_counter()
+    with solved(analysis) as run:
+        base, known = run.tools.inp_file_name[:-len("inp")], run.known
+        read = _read_arrays(analysis, known, base + "frd") if known is not None else None
+        if read is None:
+            result = read_by_freecad(run.tools, analysis)
+        else:
+            run.tools.load_results_ccxdat()
+            result = read[0]
+        with open(base + "dat", encoding="utf-8") as stream:
+            printed = stream.read()
+    total = time.perf_counter() - start
+    return {"solver": "CalculiX", "matrix_solver": {**run.matrix_solver, "preconditioner": None}, "result": result.Name,
+            "responses": {**_responses(analysis, result, read is not None, printed, run.solver.AnalysisType),
+                          "reactions_n": read[1] if read is not None else printed_reactions(printed, analysis),
+                          "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
+                          "strain_energy_mj": printed_strain_energy(printed)},
+            "iterations": None, "residual": None, "energy_error": None, "mesh_error": None,
+            "reused": {"preconditioner": False, "start_share": 0.0}, "warnings": run.remarks,
+            "seconds": {**run.seconds, "assemble": 0.0, "setup": 0.0, "stresses": 0.0, "result": total - sum(run.seconds.values()), "total": total}}
+
+
+@contextlib.contextmanager
+def solved(analysis):
+    """CalculiX has solved the analysis, with its solver, which it gets if it has none; meanwhile its files are there. Throws UserError when something is missing
+    or CalculiX fails."""
+    program()   # refuses before anything is changed
     start, known = time.perf_counter(), as_arrays(analysis)
     refuse_free_motions(known)
     solver = solver_of(analysis)
@@ -43,30 +72,30 @@ def solve(analysis):
         write_input(tools, folder, analysis)
         matrix_solver = amend(tools.inp_file_name, solver, known)
         written = time.perf_counter()
-        if run(tools):
-            raise UserError(said("CalculiX failed: {why:text}", why=" ".join(tools.ccx_stdout[-_SHOWN:].split())))
-        solved = time.perf_counter()
-        base = tools.inp_file_name[:-len("inp")]
-        read = _read_arrays(analysis, known, base + "frd") if known is not None else None
-        if read is None:
-            tools.load_results()
-            result = solving.last_result(analysis)
-        else:
-            tools.load_results_ccxdat()
-            result = read[0]
-        with open(base + "dat", encoding="utf-8") as stream:
-            printed = stream.read()
+        refuse_failure(run(tools), tools.ccx_stdout)
+        yield SimpleNamespace(tools=tools, solver=solver, known=known, matrix_solver=matrix_solver,
+                              remarks=solvers.remarks(analysis, solver) + remarks(tools.mesh.FemMesh.VolumeCount > 0, solver),
+                              seconds={"read": written - start, "solve": time.perf_counter() - written})
+
+
+def refuse_failure(code, words):
+    """Throws UserError where CalculiX ended with that exit code, with its first error of all that it said, else its last lines."""
+    if code:
+        lines = words.splitlines()
+        first = next((number for number, line in enumerate(lines) if "*ERROR" in line), max(0, len(lines) - _SHOWN))
+        why = " ".join(" ".join(lines[first:first + _SHOWN]).split())
+        raise UserError(said("CalculiX failed (exit code {code:count}): {why:messages}", code=code, why=why or said("it says nothing of why")))
+
+
+def read_by_freecad(tools, analysis):
+    """The result object that FreeCAD makes of CalculiX's files, of several that which came last. FreeCAD removes all of them before, and recomputes afterwards: a
+    live result of the analysis then makes its own anew, behind those. Throws UserError where there is none."""
+    tools.load_results()
+    of_live = [member.Result for member in analysis.Group if type_of(member) == statics_model.LIVE_RESULT]
+    result = next((member for member in reversed(analysis.Group) if member.isDerivedFrom("Fem::FemResultObject") and member not in of_live), None)
     if result is None:
         raise UserError(said("CalculiX gave no result for {analysis:text}", analysis=describe(analysis)))
-    return {"solver": "CalculiX", "matrix_solver": {**matrix_solver, "preconditioner": None}, "result": result.Name,
-            "responses": {**_responses(analysis, result, read is not None, printed, solver.AnalysisType),
-                          "reactions_n": read[1] if read is not None else printed_reactions(printed, analysis),
-                          "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
-                          "strain_energy_mj": printed_strain_energy(printed)},
-            "iterations": None, "residual": None, "energy_error": None, "mesh_error": None,
-            "reused": {"preconditioner": False, "start_share": 0.0}, "warnings": solvers.remarks(analysis, solver) + remarks(tools.mesh.FemMesh.VolumeCount > 0, solver),
-            "seconds": {"read": written - start, "assemble": 0.0, "setup": 0.0, "solve": solved - written, "stresses": 0.0,
-                        "result": time.perf_counter() - solved, "total": time.perf_counter() - start}}
+    return result
 
 
 def refuse_free_motions(known):
@@ -177,8 +206,15 @@ def _read_arrays(analysis, known, path):
 
 
 def solver_of(analysis):
-    """The CalculiX solver that is meant, or a new one where it has none. Throws UserError."""
-    return solvers.for_calculix(analysis) or solving.add_solver(analysis)
+    """The CalculiX solver that is meant, or a new one for linear statics where it has none. Throws UserError."""
+    solver = solvers.for_calculix(analysis)
+    if solver is None:
+        make = getattr(ObjectsFem, "makeSolverCalculiXCcxTools", None) or ObjectsFem.makeSolverCalculixCcxTools
+        solver = make(analysis.Document, "CalculiX")
+        solver.GeometricalNonlinearity = "linear"
+        solver.ThermoMechSteadyState = solver.IterationsControlParameterTimeUse = False
+        analysis.addObject(solver)
+    return solver
 
 
 def program():

@@ -135,17 +135,8 @@ def _run(base, threads):
                               stdout=stream, stderr=subprocess.STDOUT, preexec_fn=lambda: parent_process.end_with(parent)).returncode
     if code in (-signal.SIGKILL, -signal.SIGTERM):
         raise Killed(said("CalculiX was ended from outside ({signal:text})", signal=signal.Signals(-code).name))
-    if code:
-        raise UserError(said("CalculiX failed (exit code {code:count}): {why:messages}", code=code, why=_complaint(log)))
-
-
-def _complaint(log):
     with open(log, encoding="utf-8", errors="replace") as stream:
-        lines = stream.read().splitlines()
-    for number, line in enumerate(lines):
-        if "*ERROR" in line:
-            return " ".join(" ".join(lines[number:number + 3]).split())
-    return " ".join(" ".join(lines[-3:]).split()) or said("it says nothing of why")
+        calculix.refuse_failure(code, stream.read())
 
 
 def _by_number(numbers, values, wanted):

@@ -2281,14 +2281,6 @@
       <translation>CalculiX kann {analysis:text} nicht lösen: {why:text}</translation>
     </message>
     <message>
-      <source>CalculiX could not solve {analysis:text}: {why:messages}</source>
-      <translation>CalculiX konnte {analysis:text} nicht lösen: {why:messages}</translation>
-    </message>
-    <message>
-      <source>CalculiX failed: {why:text}</source>
-      <translation>CalculiX ist gescheitert: {why:text}</translation>
-    </message>
-    <message>
       <source>CalculiX gave no result for {analysis:text}</source>
       <translation>CalculiX lieferte kein Ergebnis für {analysis:text}</translation>
     </message>
