@@ -325,6 +325,16 @@ class Tasks(unittest.TestCase):
                          out=self.path("out.FCStd"), **which)
         self.refused("needs one mesh of FeatureMesh", command="solve", part=BRACKET, live=True, out=self.path("out.FCStd"))
 
+    def test_a_saved_mesh_that_is_damaged(self):
+        self.mesh()
+        document = documents.open_document(self.part)
+        with open(document.FeatureMesh.SavedState, "r+b") as stream:
+            stream.seek(200)
+            stream.write(b"damage")
+        documents.save_document(document, self.part)
+        self.refused("the saved mesh state is damaged", command="export", part=self.part, format="vtu", out=self.path("mesh.vtu"))
+        self.refused("the saved mesh state is damaged", command="picture", part=self.part, quality="radius_ratio", out=self.path("mesh.png"))
+
     def test_export_without_a_mesh_and_unknown_format(self):
         self.refused("has no mesh", command="export", part=self.part, format="vtu", out=self.path("mesh.vtu"))
         self.mesh()

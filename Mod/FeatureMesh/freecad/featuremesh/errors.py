@@ -62,7 +62,7 @@ class FailedUpdate(UserError, metaclass=_NamedAsTheMesh):
             sys.tracebacklimit = FailedUpdate._limit
 
 
-class StateError(Said, RuntimeError):
+class StateError(UserError):
     """A saved mesh state is damaged, foreign or from a newer program."""
 
 

@@ -210,8 +210,8 @@ COMMANDS = {"renumber": renumber, "transfer": transfer, "mesh": mesh, "adopt": a
 
 
 def is_users_fault(error):
-    """Is it the engine's word that what was given cannot be meshed, rather than a failure of ours?"""
-    return isinstance(error, engine.load().InputError)
+    """Is it the engine's word that what was given cannot be meshed, or read, rather than a failure of ours?"""
+    return isinstance(error, (engine.load().InputError, engine.load().StateError))
 
 
 def _save(document, task, report):
