@@ -43,6 +43,20 @@ def imported_names(path):
             yield "." * node.level + (node.module or "")
 
 
+def loaded_with(path):
+    """The files of the workbench that are loaded with that one, itself among them: by what is imported outside of functions."""
+    found, waiting = set(), [path]
+    while waiting:
+        file = waiting.pop()
+        found.add(file)
+        for node in ast.parse(file.read_text(encoding="utf-8")).body:
+            if isinstance(node, ast.ImportFrom) and node.level:
+                base = file.parents[node.level - 1].joinpath(*(node.module or "").split("."))
+                named = [base.with_suffix(".py"), base / "__init__.py", *(base / (alias.name + ".py") for alias in node.names)]
+                waiting += [other for other in named if other.is_file() and other not in found]
+    return found
+
+
 class ModuleOrder(unittest.TestCase):
     def test_build_and_folders_name_the_same_modules_in_the_same_order(self):
         text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
@@ -199,6 +213,14 @@ class Workbench(unittest.TestCase):
             for name in imported_names(path):
                 self.assertNotIn(name.split(".")[0], WINDOW_MODULES, f"{path.relative_to(ROOT)} imports {name}")
 
+
+    def test_it_starts_where_there_is_nothing_of_what_unix_alone_has(self):
+        for start in ("api.py", "gui/start.py"):
+            files = loaded_with(WORKBENCH / start)
+            self.assertGreater(len(files), 50)
+            for path in files:
+                names = {alias.name for node in ast.parse(path.read_text(encoding="utf-8")).body if isinstance(node, ast.Import) for alias in node.names}
+                self.assertFalse(names & {"fcntl", "resource", "pwd", "grp", "termios"}, path.relative_to(ROOT))
 
     def test_what_differs_between_versions_of_freecad_is_in_one_module(self):
         for path in WORKBENCH.rglob("*.py"):

@@ -3,7 +3,6 @@
 
 import contextlib
 import errno
-import fcntl
 import filecmp
 import hashlib
 import json
@@ -102,6 +101,7 @@ class StudyFolder:
 
     def lock(self):
         """Throws UserError while another process runs the study, or where it cannot be written; the lock ends with this process, however it ends."""
+        import fcntl   # which Windows has not, where studies are looked at only
         try:
             stream = open(self._lock_path, "a+", encoding="utf-8")
         except OSError as error:
