@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+from unittest import mock
 
 import Fem
 import meshio
@@ -309,6 +310,13 @@ class NamesOfSets(unittest.TestCase):
 
 class QuadraticExport(Export):
     order = 2
+
+    def test_med_where_the_system_sets_no_room_apart(self):
+        path = os.path.join(self.folder, "mesh.med")
+        with mock.patch.object(os, "posix_fallocate"):
+            del os.posix_fallocate   # until the end of the block
+            api.export_mesh(self.mesh, path)
+        self.assertGreater(os.path.getsize(path), 10000)
 
     def test_a_name_too_long_for_med(self):
         with self.assertRaisesRegex(UserError, "64 characters"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which analysis a new mesh belongs to."""
+"""The analyses of a document: which of them a new mesh joins, which meshes they have, and what in them goes with a mesh."""
 
 import FreeCAD
 

@@ -70,7 +70,7 @@ def write(mesh, path, file_format):
 def _write_by_freecad(fem_mesh, path):
     """FreeCAD's writers say nothing of a full disk, or name a line of their sources; that of MED may end FreeCAD, so that it is looked before. Throws
     OSError."""
-    if path.endswith(".med"):
+    if path.endswith(".med") and hasattr(os, "posix_fallocate"):   # which macOS and Windows have not
         _see_room(path, _MED_HEAD + _MED_BYTES * (fem_mesh.NodeCount + fem_mesh.EdgeCount + fem_mesh.FaceCount + fem_mesh.VolumeCount))
     try:
         fem_mesh.write(path)

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .formats import flat_triangles
 from .section import SeenMesh
 
 FIELDS = ("von_mises", "displacement")
@@ -16,8 +17,6 @@ _NOT_KNOWN = (0.60, 0.62, 0.64)
 _MOTION = (0.95, 0.60, 0.25)
 _TO_GREY = np.array((0.30, 0.59, 0.11))
 _SEEN_SHARE = 0.08   # of the part's size that the largest displacement is drawn as, where the user says nothing
-# The four triangles of a curved one: its corners are 0 to 2, the mid-side nodes of 01, 12 and 20 are 3 to 5.
-_QUARTERS = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
 
 
 @dataclass
@@ -44,7 +43,7 @@ class FieldOverlay:
     def drawn(self, plane=None, is_filled=False):
         """(k,3,3) corners of the triangles to draw, mm, and (k,3,3) the colours of each of their corners; cut open by whole elements."""
         if plane is None:
-            triangles = _surface(self.arrays)
+            triangles = flat_triangles(self.arrays)
         else:
             triangles, _ = SeenMesh(self.points, self.arrays["tets"]).whole(plane)
         return self.points[triangles], self.node_colours[triangles]
@@ -109,15 +108,6 @@ def colours_of(values, low, top, table):
 def in_grey(colours):
     """The same colours without hue."""
     return np.repeat((0.25 + 0.6 * (colours @ _TO_GREY))[:, None], 3, axis=1)
-
-
-def _surface(arrays):
-    """(k,3) the triangles of the mesh's boundary; of curved ones their four quarters."""
-    triangles, mids = arrays["triangles"], arrays["triangle_mids"]
-    if not len(mids):
-        return triangles
-    six = np.hstack([triangles, mids])
-    return np.concatenate([six[:, quarter] for quarter in _QUARTERS])
 
 
 def _rounded(value):

@@ -10,14 +10,13 @@ import FreeCAD
 from . import analyses, engine, mesh_object, messages, recompute_errors, references, results, solve_guard, state, statics, statics_model, statics_result, user_words
 from .errors import StateError, UserError
 from .messages import said
-from .mesh_properties import choose_form, failed, is_saved_for_freecad
+from .mesh_properties import UP_TO_DATE, choose_form, failed, is_saved_for_freecad
 from .proxies import Stateless, add_missing
 from .reading import describe
 
 translate = FreeCAD.Qt.translate
 # Kept in documents as they are; shown in the user's language by status_in_words.
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
-UP_TO_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "up to date")
 OUT_OF_DATE = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the part, its mesh or the analysis changed")
 SOLVING = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: solving")
 CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: solving was cancelled")

@@ -43,10 +43,7 @@ class ViewLiveResult(DrawnByUs):
         view.addDisplayMode(coin.SoGroup(), self.mode)
 
     def getIcon(self):
-        status = getattr(getattr(self, "Object", None), "Status", live_result.UP_TO_DATE)
-        name = "FeatureMesh_LiveResult" if status == live_result.UP_TO_DATE else \
-            "FeatureMesh_Failed" if status.startswith("failed") else "FeatureMesh_LiveResultStale"
-        return view_provider.kept_icon(name)
+        return view_provider.status_icon(self, "FeatureMesh_LiveResult", "FeatureMesh_LiveResultStale")
 
     def canDelete(self, obj):
         """Nothing of its analysis breaks it: it says itself what it lacks then, and undo solves it again."""

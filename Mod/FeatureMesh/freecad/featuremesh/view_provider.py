@@ -5,8 +5,10 @@ import os
 
 import FreeCADGui as Gui
 
-from . import commands, mesh_object, refinements
+from . import commands, refinements
 from .gui.edited_in_panel import EditedInPanel
+from .mesh_properties import FAILED, UP_TO_DATE
+from .section import EDGES
 
 # Called as (mesh, property) when a property of a mesh object has changed.
 followers = []
@@ -30,6 +32,12 @@ def kept_icon(name):
     return icon(name)
 
 
+def status_icon(view, fresh, stale):
+    """That of a view whose object has a Status: where that is up to date, failed, or neither."""
+    status = getattr(getattr(view, "Object", None), "Status", UP_TO_DATE)
+    return kept_icon(fresh if status == UP_TO_DATE else "FeatureMesh_Failed" if status.startswith(FAILED) else stale)
+
+
 class ViewFeatureMesh(EditedInPanel):
     """Proxy of the view. Its class path is stored in documents and never changes."""
 
@@ -45,9 +53,7 @@ class ViewFeatureMesh(EditedInPanel):
             view.MaxFacesShowInner = _MOST_INNER_FACES if view.ShowInner else 0
 
     def getIcon(self):
-        status = getattr(getattr(self, "Object", None), "Status", mesh_object.UP_TO_DATE)
-        name = "FeatureMesh" if status == mesh_object.UP_TO_DATE else "FeatureMesh_Failed" if status.startswith("failed") else "FeatureMesh_Stale"
-        return kept_icon(name)
+        return status_icon(self, "FeatureMesh", "FeatureMesh_Stale")
 
     def updateData(self, mesh, name):
         if name == "Status":
@@ -80,7 +86,7 @@ class ViewFeatureMesh(EditedInPanel):
         corners = overlay.points[overlay.elements[rows]].reshape(-1, 3) if len(rows) else ()
         lines, width = [], overlay.elements.shape[1]
         for start in range(0, width * len(rows), width):
-            for first, second in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))[:3 if width == 3 else 6]:
+            for first, second in EDGES[:3 if width == 3 else 6].tolist():
                 lines += [start + first, start + second, -1]
         self.elements(mesh).mark(corners, lines, colour)
 

@@ -16,6 +16,14 @@ def connectivity(arrays, elements, mids):
     return np.hstack([corners, arrays[mids].reshape(len(corners), -1)])
 
 
+def flat_triangles(arrays):
+    """(k,3) indices of the nodes of the triangles; a 6-node one is four, so that curved faces stay as round as the mesh has them."""
+    triangles = connectivity(arrays, "triangles", "triangle_mids")
+    return triangles[:, _FOUR].reshape(-1, 3) if triangles.shape[1] == 6 else triangles
+
+
+_FOUR = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))   # corners 0 1 2, mid-side nodes 01, 12, 20
+
 # Arrays of the elements that fill a part, the highest first: nodes, mid-side nodes, numbers, and the solid, face or edge of each.
 FILLING = (("tets", "tet_mids", "tet_numbers", "tet_solids"), ("triangles", "triangle_mids", "triangle_numbers", "triangle_faces"),
            ("segments", "segment_mids", "segment_numbers", "segment_edges"))
