@@ -9,7 +9,7 @@ import FreeCAD
 import Fem
 import numpy as np
 import ObjectsFem
-from freecad.featuremesh import adopt, api, cli, documents, versions
+from freecad.featuremesh import adopt, api, cli, documents, statics_result, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from parts import groups_in_freecad, groups_of, new_document, plate_with_hole
@@ -147,8 +147,8 @@ class Transfer(unittest.TestCase):
         self.mesh.Automatic = False
         api.update_mesh(self.mesh)
 
-    def edit(self):
-        api.set_parameters(self.document, ["HoleSketch.X=23"])
+    def edit(self, x=23):
+        api.set_parameters(self.document, ["HoleSketch.X=%d" % x])
         self.document.recompute()
         return api.update_mesh(self.mesh)
 
@@ -189,6 +189,22 @@ class Transfer(unittest.TestCase):
         # the hole's old wall is in the new material and the other way round: there the nearest value counts
         wrong = sum(abs(value - 20 - 0.1 * points[number].x) > 1e-9 for number, value in zip(made.NodeNumbers, made.Temperature))
         self.assertLess(wrong, 0.2 * len(points))
+        self.assertLessEqual(wrong, figures["outside"])
+
+    def test_a_result_of_our_own_solver_on_a_mesh_with_gaps_between_its_numbers(self):
+        self.edit()
+        analysis, arrays = ObjectsFem.makeAnalysis(self.document), self.mesh.Proxy.arrays(self.mesh)
+        analysis.addObject(self.mesh)
+        points = arrays["points"]
+        result = statics_result.show(analysis, arrays, {"displacements": points, "stresses": np.zeros((len(points), 6)), "von_mises": points[:, 0]})
+        result.addProperty("App::PropertyFloatList", "Thickness")
+        result.Thickness = points[:, 2].tolist()
+        report = self.edit(25)
+        made, transferred = api.transfer_result(result, self.mesh)
+        figures = transferred["fields"]["vonMises"]
+        self.assertAlmostEqual(figures["same"] / figures["nodes"], report["kept"]["nodes_share"], 6)
+        heights = {number: point.z for number, point in self.mesh.FemMesh.Nodes.items()}
+        wrong = sum(abs(heights[number] - value) > 1e-6 for number, value in zip(made.NodeNumbers, made.Thickness))
         self.assertLessEqual(wrong, figures["outside"])
 
     def test_refusals(self):

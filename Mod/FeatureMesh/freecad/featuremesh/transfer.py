@@ -11,12 +11,13 @@ from .errors import UserError
 from .given_mesh import give
 from .messages import said
 from .reading import describe
+from .statics_result import NODES
 
 SAME_NODE, INSIDE, OUTSIDE = 0, 1, 2
 # CalculiX writes coordinates with six digits: nodes of a result's mesh are this close to those that were solved, in diagonals.
 _RESULT_DIGITS = 2e-5
 # Not fields, or per node already known
-_NO_FIELDS = {"NodeNumbers", "Stats", "Eigenmode", "EigenmodeFrequency", "Time"}
+_NO_FIELDS = {"NodeNumbers", NODES, "Stats", "Eigenmode", "EigenmodeFrequency", "Time"}
 
 
 def field(old_arrays, new_arrays, values, same_place=0.0):
@@ -66,6 +67,8 @@ def result(old, mesh, name=None):
         part = slice(at, at + width)
         at += width
         carried = found["values"][:, part]
+        if title not in new.PropertiesList:   # one of the user's own
+            new.addProperty(old.getTypeIdOfProperty(title), title)
         setattr(new, title, [FreeCAD.Vector(*row) for row in carried.tolist()] if width == 3 else carried[:, 0].tolist())
         report["fields"][title] = figures(carried, found["errors"][:, part], found["sources"])
     for title in ("Time", "EigenmodeFrequency"):
@@ -98,10 +101,10 @@ def _mesh_of(old):
     if len(solved) != len(by_number):
         raise UserError(said("{result:text} has values for {values:count} {values:node|nodes}, its mesh {mesh:text} has {nodes:count}",
                              result=describe(old), values=len(solved), mesh=describe(old.Mesh), nodes=len(by_number)))
-    # FreeCAD closes the gaps between the numbers of a mesh when it opens a document; the result still knows the true ones.
+    # FreeCAD closes the gaps between the numbers of a mesh when it opens a document; the result still knows the true ones, one of ours beside its own.
     order = np.empty(len(solved), dtype=np.int64)
     order[by_number] = rows
-    arrays["node_numbers"] = solved[order]
+    arrays["node_numbers"] = np.array(getattr(old, NODES, solved)).astype(np.int64)[order]
     return arrays, order
 
 
