@@ -167,6 +167,20 @@ class LoadCases(MeshedPlate):
         self.document.removeObject(self.mesh.Name)
         self.assertIn("was deleted", shared.Proxy.why_not_to_solve(shared))
 
+    def test_what_calculix_printed_is_not_copied(self):
+        self.analysis.addObject(self.document.addObject("App::TextDocument", "ccx_dat_file"))
+        self.assertEqual([member.Name for member in self.twin(mesh="none").Group if member.isDerivedFrom("App::TextDocument")], [])
+
+    def test_a_copy_that_cannot_be_made_leaves_nothing(self):
+        before = self.document.Objects
+        with open(self.mesh.SavedState, "r+b") as stream:
+            stream.seek(200)
+            stream.write(b"damage")
+        self.mesh.Proxy.loads(None)   # nothing is in memory
+        with self.assertRaisesRegex(UserError, "is damaged"):
+            api.copy_analysis(self.analysis, "Push")
+        self.assertEqual(self.document.Objects, before)
+
     def test_loads_without_a_mesh_stay_where_they_are(self):
         """It is dragged from one analysis to another in the tree; meanwhile the faces get other numbers."""
         bare = api.copy_analysis(self.analysis, "Bare", mesh="none")

@@ -207,7 +207,7 @@ def difference_to_file(part, path):
         try:
             shutil.copyfile(path, copy)
         except OSError as error:
-            raise UserError(said("cannot read {path:text}: {why:messages}", path=path, why=of_error(error))) from error
+            raise UserError(said("cannot read {path:text}: {why:messages}", path=path, why=error.strerror or of_error(error))) from error
         document = documents.open_document(copy)
         try:
             old = reading.find_meshable(document, part.Name if document.getObject(part.Name) else None)

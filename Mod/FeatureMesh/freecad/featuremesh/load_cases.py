@@ -4,6 +4,7 @@
 from . import analyses, reading, shared_mesh, statics_model
 from .errors import UserError
 from .messages import said
+from .refusals import all_or_nothing
 
 # What becomes of the mesh in a copy of an analysis.
 MESHES = ("shared", "own", "none")
@@ -19,7 +20,8 @@ def share(mesh, analysis):
     if there:
         raise UserError(said("{analysis:text} has {mesh:text} already, and an analysis is solved with one mesh",
                              analysis=reading.describe(analysis), mesh=reading.describe(there[0])))
-    return shared_mesh.share(analyses.source_of(mesh), analysis)
+    with all_or_nothing(mesh.Document):
+        return shared_mesh.share(analyses.source_of(mesh), analysis)
 
 
 def copy(analysis, name, mesh):
@@ -31,15 +33,16 @@ def copy(analysis, name, mesh):
     ours = next((analyses.source_of(member) for member in analyses.meshes_of(analysis) if analyses.is_ours(member)), None)
     if ours is None and mesh != "none":
         raise UserError(said("{analysis:text} has no mesh of FeatureMesh to copy along", analysis=reading.describe(analysis)))
-    made = document.addObject("Fem::FemAnalysis", name or analysis.Name)
-    for member in analysis.Group:
-        if member.isDerivedFrom("Fem::FemMeshObject") or statics_model.is_result(member):
-            continue
-        twin = document.copyObject(member, False)
-        twin.Label = "%s (%s)" % (member.Label, made.Label)
-        made.addObject(twin)
-    if mesh == "shared":
-        share(ours, made)
-    elif mesh == "own":
-        made.addObject(document.copyObject(ours, False))
-    return made
+    with all_or_nothing(document):
+        made = document.addObject("Fem::FemAnalysis", name or analysis.Name)
+        for member in analysis.Group:
+            if member.isDerivedFrom("Fem::FemMeshObject") or statics_model.is_result(member):
+                continue
+            twin = document.copyObject(member, False)
+            twin.Label = "%s (%s)" % (member.Label, made.Label)
+            made.addObject(twin)
+        if mesh == "shared":
+            share(ours, made)
+        elif mesh == "own":
+            made.addObject(document.copyObject(ours, False))
+        return made

@@ -323,14 +323,14 @@ def gravity(member):
 
 
 def _is_without_effect(member):
-    """Results, live or not, and what else no solver is given: texts, solvers, and parts, which FreeCAD pastes beside the analysis of theirs that is copied."""
-    kinds = "Fem::FemSolverObject", "Fem::FemSolverObjectPython", "App::TextDocument", "App::Part", "App::Link", "Part::Feature"
+    """Results, live or not, and what else no solver is given: solvers, and parts, which FreeCAD pastes beside the analysis of theirs that is copied."""
+    kinds = "Fem::FemSolverObject", "Fem::FemSolverObjectPython", "App::Part", "App::Link", "Part::Feature"
     return is_result(member) or any(member.isDerivedFrom(kind) for kind in kinds)
 
 
 def is_result(member):
-    """Is this what a solution left in an analysis, rather than what is to be solved?"""
-    return any(member.isDerivedFrom(kind) for kind in ("Fem::FemResultObject", "Fem::FemPostObject")) \
+    """Is this what a solution left in an analysis, such as what CalculiX printed, rather than what is to be solved?"""
+    return any(member.isDerivedFrom(kind) for kind in ("Fem::FemResultObject", "Fem::FemPostObject", "App::TextDocument")) \
         or any(femutils.is_of_type(member, kind) for kind in ("Fem::MeshResult", LIVE_RESULT))
 
 
