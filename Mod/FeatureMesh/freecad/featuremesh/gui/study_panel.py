@@ -8,7 +8,7 @@ from PySide import QtCore, QtGui
 from .. import user_words, view_provider
 from ..errors import UserError
 from ..messages import of_error
-from ..study import design, response_words, study_object, window_run
+from ..study import design, progress, response_words, study_object, window_run
 from . import errors, narrow, recording, study_runs, wheel
 from .closes_with_object import ClosesWithObject
 from .dimension_list import DimensionList
@@ -210,7 +210,7 @@ class StudyPanel(ClosesWithObject):
             return translate("FeatureMesh", "making the mesh that all cases start from")
         words = user_words.in_words(words) or translate("FeatureMesh", "not run yet")
         if running:
-            return words + _time_left(left)
+            return ", ".join(filter(None, (words, user_words.in_words(progress.time_left(left)))))
         problem = run.problem() if run is not None else ""
         return words + (": " + user_words.in_words(problem) if problem else "")
 
@@ -269,15 +269,3 @@ class StudyPanel(ClosesWithObject):
             self._timer.stop()
             Gui.Selection.removeObserver(self)
             self.unwatch()
-
-
-def _time_left(seconds):
-    if seconds is None:
-        return ""
-    if seconds < 0.5:   # what runs takes longer than others took
-        return translate("FeatureMesh", ", nearly done")
-    if seconds < 90:
-        return translate("FeatureMesh", ", about %d s left") % round(seconds)
-    if seconds < 5400:
-        return translate("FeatureMesh", ", about %d min left") % round(seconds / 60)
-    return user_words.as_shown(translate("FeatureMesh", ", about %.1f h left") % (seconds / 3600))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How far a study is, and how long it will take: from the cases that were run, not from a guess."""
 
-from ..messages import said
+from ..messages import english, said
 from .database import DONE, FAILED, INFEASIBLE
 
 _WIDTH = 20
@@ -18,7 +18,7 @@ def line(counts, running_for, seconds, jobs):
     words = ["%d of %d done" % (counts["done"], total), "%d running" % counts["running"]]
     words += ["%d %s" % (counts[state], state) for state in ("infeasible", "failed") if counts[state]]
     if counts["waiting"] or counts["running"]:
-        words.append(in_words(seconds_left(counts, running_for, seconds, jobs)))
+        words.append(english(time_left(seconds_left(counts, running_for, seconds, jobs))) or "time left not known yet")
     return "[%s%s] %s" % ("#" * filled, "." * (_WIDTH - filled), ", ".join(words))
 
 
@@ -41,13 +41,14 @@ def seconds_left(counts, running_for, seconds, jobs):
     return left / max(1, jobs)
 
 
-def in_words(seconds):
+def time_left(seconds):
+    """That in words, None where it is not known."""
     if seconds is None:
-        return "time left not known yet"
-    if seconds < 0.5:
-        return "nearly done"
+        return None
+    if seconds < 0.5:   # what runs takes longer than others took
+        return said("nearly done")
     if seconds < 90:
-        return "about %d s left" % round(seconds)
+        return said("about {seconds:count} s left", seconds=round(seconds))
     if seconds < 5400:
-        return "about %d min left" % round(seconds / 60)
-    return "about %.1f h left" % (seconds / 3600)
+        return said("about {minutes:count} min left", minutes=round(seconds / 60))
+    return said("about {hours:number} h left", hours=round(seconds / 3600, 1))

@@ -355,16 +355,8 @@
       <translation>%s wurde nach %s geschrieben (%s)</translation>
     </message>
     <message>
-      <source>, about %.1f h left</source>
-      <translation>, noch etwa %.1f h</translation>
-    </message>
-    <message>
       <source>, did you mean {name:text}?</source>
       <translation>, war {name:text} gemeint?</translation>
-    </message>
-    <message>
-      <source>, nearly done</source>
-      <translation>, fast fertig</translation>
     </message>
     <message>
       <source>, not of {foreign:text}</source>
@@ -759,8 +751,20 @@
       <translation>ein Arbeitsprozess kann nicht starten: {why:messages}; siehe die Protokolle der Arbeitsprozesse in {folder:text}</translation>
     </message>
     <message>
+      <source>about {hours:number} h left</source>
+      <translation>noch etwa {hours:number} h</translation>
+    </message>
+    <message>
       <source>about {millions:count} million</source>
       <translation>etwa {millions:count} {millions:Million|Millionen}</translation>
+    </message>
+    <message>
+      <source>about {minutes:count} min left</source>
+      <translation>noch etwa {minutes:count} min</translation>
+    </message>
+    <message>
+      <source>about {seconds:count} s left</source>
+      <translation>noch etwa {seconds:count} s</translation>
     </message>
     <message>
       <source>active: {nodes:count} {nodes:node kept as start position|nodes kept as start positions}, free to move</source>
@@ -1059,6 +1063,10 @@
     <message>
       <source>meshed from scratch, as asked with --full</source>
       <translation>vollständig neu vernetzt, wie mit --full verlangt</translation>
+    </message>
+    <message>
+      <source>nearly done</source>
+      <translation>fast fertig</translation>
     </message>
     <message>
       <source>new: {elements:count} {elements:element|elements}</source>
@@ -2159,14 +2167,6 @@
     <message>
       <source>'{name:text}' is no face, edge, vertex or solid; write it as FreeCAD does, e.g. Face12.</source>
       <translation>„{name:text}“ ist keine Fläche, keine Kante, kein Eckpunkt und kein Volumenkörper; wie in FreeCAD zu schreiben, z. B. Face12.</translation>
-    </message>
-    <message>
-      <source>, about %d min left</source>
-      <translation>, noch etwa %d min</translation>
-    </message>
-    <message>
-      <source>, about %d s left</source>
-      <translation>, noch etwa %d s</translation>
     </message>
     <message>
       <source>10-node tetrahedra</source>
