@@ -55,7 +55,12 @@ def is_analysis(obj):
 
 def analyses_of(document):
     """All analyses of the document."""
-    return list(filter(is_analysis, document.Objects))
+    return document.findObjects("Fem::FemAnalysis")
+
+
+def meshes_in(document):
+    """All mesh objects of ours in the document. FreeCAD looks for them by their type, which takes it a hundredth of the time that all objects take in Python."""
+    return [obj for obj in document.findObjects("Fem::FemMeshObject") if type_of(obj) == _OURS]
 
 
 def holding(obj):
@@ -114,13 +119,13 @@ def _waits(analysis):
 def _is_first_of_its_part(mesh):
     """Of those that follow an edit by themselves, if there are any."""
     part = versions.part_of(mesh)
-    of_part = [obj for obj in mesh.Document.Objects if type_of(obj) == _OURS and versions.part_of(obj) is part]
+    of_part = [obj for obj in meshes_in(mesh.Document) if versions.part_of(obj) is part]
     return mesh is next((obj for obj in of_part if getattr(obj, "Automatic", True)), of_part[0] if of_part else None)
 
 
 def left_behind(mesh):
     """The other meshes of its part that have not followed the last edit."""
-    return [obj for obj in mesh.Document.Objects if type_of(obj) == _OURS and obj is not mesh and obj.SavedState and versions.part_of(obj) is versions.part_of(mesh)
+    return [obj for obj in meshes_in(mesh.Document) if obj is not mesh and obj.SavedState and versions.part_of(obj) is versions.part_of(mesh)
             and not is_of_its_part(obj)]
 
 

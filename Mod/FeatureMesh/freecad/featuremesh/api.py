@@ -455,7 +455,7 @@ def find_analysis(document, name=None):
 
 def meshes_of(document):
     """All FeatureMesh objects of the document."""
-    return [obj for obj in document.Objects if is_feature_mesh(obj)]
+    return analyses.meshes_in(document)
 
 
 def is_mesh_of(mesh, part):

@@ -35,9 +35,8 @@ def watch():
 
 def settle(obj):
     """To be called when the task panel of an FEM object was closed: it may have been given other references."""
-    for mesh in obj.Document.Objects:
-        if _is_ours(mesh):
-            mesh.Proxy.references_changed(mesh, obj, in_panel=True)
+    for mesh in _meshes_in(obj.Document):
+        mesh.Proxy.references_changed(mesh, obj, in_panel=True)
 
 
 def deleted_of(document):
@@ -93,24 +92,24 @@ class _Observer:
 
     def slotOpenTransaction(self, document, _):
         _getting_shape.clear()
-        _untouched[document.Name] = [obj.Name for obj in document.Objects if (_is_ours(obj) or size_zone.is_zone(obj)) and "Touched" not in obj.State]
+        ours = _meshes_in(document) + list(filter(size_zone.is_zone, document.findObjects("App::GeometryPython")))
+        _untouched[document.Name] = [obj.Name for obj in ours if "Touched" not in obj.State]
 
     def slotAbortTransaction(self, document):
         """FreeCAD takes back what was set, but not its mark that something was."""
         _show_states(document)
-        for obj in document.Objects:
-            if obj.Name in _untouched.get(document.Name, ()):
-                obj.purgeTouched()
+        for obj in filter(None, map(document.getObject, _untouched.get(document.Name, ()))):
+            obj.purgeTouched()
 
     def slotStartSaveDocument(self, document, _):
         for mesh in _missed_an_edit(document):
             mesh.Status = OUT_OF_DATE
-        for mesh in filter(_is_ours, document.Objects):
+        for mesh in _meshes_in(document):
             mesh.Proxy.keep_state(mesh)
         disk_room.tell_before_saving(document)
 
     def slotFinishSaveDocument(self, document, path):
-        if any(map(_is_ours, document.Objects)):
+        if _meshes_in(document):
             disk_room.look_at_saved(document, path)
 
     def slotRecomputedObject(self, obj):
@@ -120,11 +119,12 @@ class _Observer:
         for mesh in _missed_an_edit(document):
             mesh.recompute()
         references.look_again(document)
-        for mesh in filter(_is_ours, document.Objects):
+        for mesh in _meshes_in(document):
             results.mark(mesh)   # an expression may have changed a load
             if not mesh.Automatic:
                 mesh.Proxy.members_changed(mesh)   # another mesh of its part has moved its loads
-        _left_touched[document.Name] = {obj.Name for obj in document.Objects if "Touched" in obj.State} & _left_touched.get(document.Name, set())
+        recomputed = filter(None, map(document.getObject, _left_touched.get(document.Name, ())))
+        _left_touched[document.Name] = {obj.Name for obj in recomputed if "Touched" in obj.State}
         _recomputed.add(document.Name)
         _undone.discard(document.Name)
         _outdate_in_others(document)
@@ -134,8 +134,8 @@ class _Observer:
 
     def slotDeletedObject(self, obj):
         _deleted.setdefault(obj.Document.Name, set()).add(obj.Name)
-        for mesh in obj.Document.Objects:
-            if _is_ours(mesh) and mesh is not obj:
+        for mesh in _meshes_in(obj.Document):
+            if mesh is not obj:
                 mesh.Proxy.forget_references(mesh, obj.Name)
 
     def slotDeletedDocument(self, document):
@@ -169,9 +169,7 @@ class _Observer:
             references.note_clicks(obj)
         if name in references.ALONG:
             references.mend_direction(obj)
-        for mesh in obj.Document.Objects:
-            if not _is_ours(mesh):
-                continue
+        for mesh in _meshes_in(obj.Document):
             if name == "References" or name in references.ALONG:
                 mesh.Proxy.references_changed(mesh, obj)
             elif name not in _NAMES and (mesh is obj or obj in mesh.InList or analyses.is_analysis(obj) or name == "Automatic"):
@@ -182,35 +180,34 @@ class _Observer:
 
 def _fail_meshes(document, objects):
     """The mesh of a part that FreeCAD could not recompute is that of the part before the edit."""
-    for mesh in filter(_is_ours, document.Objects):
+    for mesh in _meshes_in(document):
         error = recompute_errors.error_of_part(versions.part_of(mesh), objects)
         if error is not None:
             mesh.Proxy.fail(mesh, error)
 
 
 def _missed_an_edit(document):
-    return [mesh for mesh in document.Objects if _is_ours(mesh) and mesh.Proxy.missed_an_edit(mesh)]
+    return [mesh for mesh in _meshes_in(document) if mesh.Proxy.missed_an_edit(mesh)]
 
 
 def _outdate_in_others(document):
     """FreeCAD tells nobody that what is linked from another document has changed, and recomputes that later."""
     for other in FreeCAD.listDocuments().values():
-        for mesh in filter(_is_ours, other.Objects if other is not document else ()):
+        for mesh in _meshes_in(other) if other is not document else ():
             if is_of_its_part(mesh) and edited_behind(mesh):
                 mesh.Status = EDITED_ELSEWHERE
 
 
 def _show_states(document):
     _undone.add(document.Name)
-    for obj in document.Objects:
-        if _is_ours(obj):
-            obj.Proxy.show_state(obj)
-            obj.Proxy.members_changed(obj, after_undo=True)
-            obj.Proxy.renew_groups(obj)
-            if obj.Status == UP_TO_DATE and _is_beside_its_part(obj):
-                obj.Status = OUT_OF_DATE
-                obj.touch()
-            results.mark(obj)
+    for mesh in _meshes_in(document):
+        mesh.Proxy.show_state(mesh)
+        mesh.Proxy.members_changed(mesh, after_undo=True)
+        mesh.Proxy.renew_groups(mesh)
+        if mesh.Status == UP_TO_DATE and _is_beside_its_part(mesh):
+            mesh.Status = OUT_OF_DATE
+            mesh.touch()
+        results.mark(mesh)
     _outdate_in_others(document)
 
 
@@ -228,5 +225,6 @@ def _name_of(obj):
         return None
 
 
-def _is_ours(obj):
-    return analyses.source_of(obj) is obj and "ReferredTo" in obj.PropertiesList
+def _meshes_in(document):
+    """Those that have all their properties."""
+    return [mesh for mesh in analyses.meshes_in(document) if "ReferredTo" in mesh.PropertiesList]

@@ -26,6 +26,7 @@ FIRST_SOLVING = QT_TRANSLATE_NOOP("FeatureMesh", "being solved for the first tim
 FIRST_CANCELLED = QT_TRANSLATE_NOOP("FeatureMesh", "not solved: solving was cancelled")
 _AT_FIRST = {OUT_OF_DATE: NOT_SOLVED, SOLVING: FIRST_SOLVING, CANCELLED: FIRST_CANCELLED}
 
+_BASE = "Fem::FeaturePython"   # the type of the object
 # (type, name, group, default, read-only, tooltip)
 PROPERTIES = [
     ("App::PropertyBool", "Automatic", "Live result", True, False, "Solve whenever the document was recomputed"),
@@ -279,6 +280,11 @@ def is_live_result(obj):
     return isinstance(getattr(obj, "Proxy", None), LiveResult)
 
 
+def in_document(document):
+    """All live results of the document."""
+    return list(filter(is_live_result, document.findObjects(_BASE)))
+
+
 def has_result(live):
     """Was it ever solved?"""
     return live.Result is not None or live.Proxy.solution is not None
@@ -294,7 +300,7 @@ def add(analysis):
     known = of_analysis(analysis)
     if known is not None:
         return known
-    live = analysis.Document.addObject("Fem::FeaturePython", "Live")
+    live = analysis.Document.addObject(_BASE, "Live")
     live.Label = translate("FeatureMesh", "Live result")
     LiveResult(live)
     analysis.addObject(live)
@@ -321,7 +327,7 @@ def _outdate(live):
 
 def _fail(document, objects):
     """The result of an analysis with a member that FreeCAD could not recompute is that of before the edit. What lost its faces is in error for that reason."""
-    for live in filter(is_live_result, document.Objects):
+    for live in in_document(document):
         error = recompute_errors.first_error([member for member in live.Members if not mesh_object.is_feature_mesh(member)], objects)
         if error is not None:
             analysis = live.Proxy.analysis(live)
@@ -352,7 +358,7 @@ class _Observer:
         if FreeCAD.isRestoring() or name in _OF_NO_CONCERN:
             return
         if name == "Group" and analyses.is_analysis(obj):
-            for live in filter(is_live_result, obj.Document.Objects):
+            for live in in_document(obj.Document):
                 if live in obj.Group or live.Proxy.analysis(live) is None:   # it may have left this one
                     live.Proxy.take_members(live)
             return
@@ -369,12 +375,12 @@ class _Observer:
                     solve_later(live)
 
     def slotStartSaveDocument(self, document, _):
-        for live in filter(is_live_result, document.Objects):
+        for live in in_document(document):
             live.Proxy.choose_form(live)
 
     def slotFinishSaveDocument(self, document, _):
         """What FreeCAD keeps for a recovery, or copies, has the mesh of a result in any case: by then it may no more be that of the part's mesh."""
-        for live in filter(is_live_result, document.Objects):
+        for live in in_document(document):
             if live.Result is not None and live.Result.Mesh is not None:
                 choose_form(live.Result.Mesh, is_saved=True)
 
@@ -408,7 +414,7 @@ class _Observer:
 
 def _take_results(document):
     """Undo gives a live result the result object that it had; another one may be in its place now."""
-    for live in filter(is_live_result, document.Objects):
+    for live in in_document(document):
         analysis = live.Proxy.analysis(live)
         result = statics_result.of_analysis(analysis) if analysis is not None else None
         if result is not None and result is not live.Result:
@@ -416,7 +422,7 @@ def _take_results(document):
 
 
 def _solve_again(document):
-    for live in filter(is_live_result, document.Objects):
+    for live in in_document(document):
         mesh = live.Proxy.mesh(live)
         if mesh is not None and (live.Proxy.is_changed or live.Proxy.of_state != state.checksum_of(mesh.SavedState)):
             _outdate(live)

@@ -27,7 +27,7 @@ def reason(analysis):
     """Why the analysis must not be solved now, as a sentence; "" when nothing is in the way."""
     if analysis is None:
         return ""
-    meshes, known = analyses.meshes_of(analysis), [obj for obj in analysis.Document.Objects if analyses.source_of(obj) is obj]
+    meshes, known = analyses.meshes_of(analysis), analyses.meshes_in(analysis.Document)
     if known and not meshes:
         return translate("FeatureMesh", "%s has no mesh; let it share %s (api.share_mesh), or give it one of its own") % (analysis.Label, known[0].Label)
     for mesh in filter(analyses.is_ours, meshes):

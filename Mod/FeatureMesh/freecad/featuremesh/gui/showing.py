@@ -5,7 +5,7 @@ import FreeCAD
 from PySide import QtCore
 
 from .. import analyses, api, assembled, versions
-from ..live_result import is_live_result
+from ..live_result import in_document, is_live_result
 from ..mesh_object import is_feature_mesh
 
 _POST = "Fem::FemPostObject"   # pipelines and their filters
@@ -173,7 +173,7 @@ def _hidden_behind(obj):
 
 def _live_results_of(mesh):
     """None where it is no mesh of ours."""
-    return [live for live in mesh.Document.Objects if is_live_result(live) and live.Proxy.mesh(live) is mesh]
+    return [live for live in in_document(mesh.Document) if live.Proxy.mesh(live) is mesh]
 
 
 def _mesh_of(obj):

@@ -18,7 +18,7 @@ def make(plain_study, out):
     document = documents.open_document(study.document)
     values = {parameter.name: edits.value_to_vary(document, parameter.target, parameter.unit) for parameter in study.parameters}
     integers = [parameter.name for parameter in study.parameters if edits.is_whole_number(document, parameter.target)]
-    for live in [obj for obj in document.Objects if live_result.is_live_result(obj)]:
+    for live in live_result.in_document(document):
         document.removeObject(live.Name)   # it would be solved with every recompute
     mesh = _mesh_of(document, study)
     part = versions.part_of(mesh)
