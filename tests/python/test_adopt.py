@@ -135,6 +135,20 @@ class Adopt(unittest.TestCase):
         with self.assertRaisesRegex(UserError, "no tetrahedra"):
             adopt.arrays_of(obj)
 
+    def test_nothing_is_left_of_parts_in_a_container_that_a_mesh_does_not_fit(self):
+        obj = self.document.addObject("Fem::FemMeshObject", "Elsewhere")
+        tet = Fem.FemMesh()
+        for number, point in enumerate(((500, 0, 0), (501, 0, 0), (500, 1, 0), (500, 0, 1)), 1):
+            tet.addNode(*point, number)
+        tet.addVolume([1, 2, 3, 4], 1)
+        obj.FemMesh = tet
+        container = self.document.addObject("App::Part", "Machine")
+        container.addObject(self.body)
+        before = self.document.Objects
+        with self.assertRaisesRegex(Exception, "No element of the mesh fits"):
+            api.adopt_mesh(obj, container)
+        self.assertEqual(self.document.Objects, before)
+
 
 class Transfer(unittest.TestCase):
 

@@ -124,13 +124,10 @@ def adopt_mesh(foreign, part=None, size=None, progress=None, in_place_of=None, t
                              part=reading.describe(part), mesh=reading.describe(others[0])))
     arrays = adopt.arrays_of(foreign)
     order = 2 if len(arrays["tet_mids"]) else 1
-    mesh = add_mesh(part, adopt.typical_size(arrays) if size is None else size, order, threads, automatic=automatic, join_analysis=False)
-    try:
+    with all_or_nothing(foreign.Document):
+        mesh = add_mesh(part, adopt.typical_size(arrays) if size is None else size, order, threads, automatic=automatic, join_analysis=False)
         _take_what_belongs_to(foreign, mesh)
         report = mesh.Proxy.adopt(mesh, arrays, progress)
-    except BaseException:
-        mesh.Document.removeObject(mesh.Name)
-        raise
     _take_place_of([foreign] if in_place_of is None else [foreign, in_place_of], mesh)
     mesh.Proxy.renew_groups(mesh)
     mesh.purgeTouched()
