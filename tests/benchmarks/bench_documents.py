@@ -62,7 +62,7 @@ def peer_of(brep, size):
         used, _, tets = mesh_with_gmsh("gmsh-hxt", brep, size, 1)
     except RuntimeError:
         return None
-    return len(tets) / used.processor_seconds if len(tets) else None
+    return len(tets) / used.processor_seconds
 
 
 def in_words(measured):

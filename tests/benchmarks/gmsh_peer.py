@@ -25,7 +25,7 @@ def mesh_with_gmsh(name, brep, size, threads, limit_seconds=600):
 
 
 def read_msh(path):
-    """Points (n,3) and tets (m,4) of a binary file in Gmsh's format 2.2."""
+    """Points (n,3) and tets (m,4) of a binary file in Gmsh's format 2.2. RuntimeError where it has no tet."""
     data = path.read_bytes()
     at = data.index(b"$Nodes\n") + len(b"$Nodes\n")
     end = data.index(b"\n", at)
@@ -45,6 +45,8 @@ def read_msh(path):
             tets.append(rows[:, 1 + tags:])
         at += 12 + 4 * block * width
         left -= int(block)
+    if not tets:
+        raise RuntimeError("Gmsh made no tets")
     return nodes["point"], row_of[np.concatenate(tets)]
 
 

@@ -37,7 +37,8 @@ def open_peer(path, size):
     part = versions.part_of(ours)
     document.removeObject(ours.Name)
     mesh = ObjectsFem.makeMeshGmsh(document, "Gmsh")
-    mesh.Part, mesh.CharacteristicLengthMax, mesh.ElementOrder = part, size, "2nd"
+    setattr(mesh, versions.part_property(mesh), part)
+    mesh.CharacteristicLengthMax, mesh.ElementOrder = size, "2nd"
     analysis.addObject(mesh)
     calculix.solver_of(analysis).MatrixSolverType = "iterativecholesky"
     return Peer(document, part, analysis, mesh)

@@ -2,6 +2,7 @@
 """`./featuremesh bench --documents` on a folder with parts and a file that is no document."""
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -13,6 +14,7 @@ BENCH = ROOT / "tests" / "benchmarks" / "run_benchmarks.py"
 EXAMPLES = ROOT / "resources" / "examples"
 sys.path.insert(0, str(BENCH.parent))
 
+import gmsh_peer  # noqa: E402
 import mesh_document  # noqa: E402
 from measured_process import run_measured  # noqa: E402
 
@@ -58,6 +60,14 @@ class Documents(unittest.TestCase):
         self.assertGreater(used.processor_seconds, 0)
         self.assertLess(used.processor_seconds, used.seconds - 0.9)
         self.assertGreater(used.megabytes, 1)
+
+    def test_a_mesh_of_gmsh_without_tets_is_said_to_be_none(self):
+        with tempfile.TemporaryDirectory() as name:
+            path = Path(name) / "mesh.msh"
+            points = b"".join(struct.pack("<i3d", number, *point) for number, point in enumerate(((0, 0, 0), (1, 0, 0), (0, 1, 0)), 1))
+            path.write_bytes(b"$Nodes\n3\n" + points + b"\n$EndNodes\n$Elements\n1\n" + struct.pack("<9i", 2, 1, 2, 1, 0, 0, 1, 2, 3) + b"\n$EndElements\n")
+            with self.assertRaisesRegex(RuntimeError, "no tets"):
+                gmsh_peer.read_msh(path)
 
     def test_a_folder_without_documents_is_the_users_error(self):
         with tempfile.TemporaryDirectory() as name:
