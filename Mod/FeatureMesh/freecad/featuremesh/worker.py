@@ -176,7 +176,7 @@ class WorkerEngine:
     def process_id(self):
         """Of the process that meshes; None when it does not run."""
         process = self._lanes["meshing"].process
-        return process.program.pid if process is not None else None
+        return process.program.pid if process is not None and process.is_alive() else None
 
     def call(self, name, *args, progress=None, **kwargs):
         """Calls a function of the engine in a worker and waits for its answer. `progress` may be the last of `args`, too."""
@@ -216,12 +216,7 @@ class WorkerEngine:
         given = {**dict(zip(_PARAMETERS.get(name, ()), args)), **kwargs}
         raw = given.get("raw") or given.get("new")
         what = translate("FeatureMesh", _DOING.get(name, _DOING[""])) % (raw["final_object"] if raw else translate("FeatureMesh", "a mesh"))
-        try:
-            answer, made = process.ask((name, args, kwargs), what, progress)
-        except (WorkerDied, Cancelled):
-            if not process.is_alive():
-                lane.process = None
-            raise
+        answer, made = process.ask((name, args, kwargs), what, progress)
         for mesh in made:
             mesh._recipe = given["raw"], given["options"]
         return answer
