@@ -387,7 +387,11 @@ def check_settings(document, study):
         if obj is not None:
             obj.ViewObject.Visibility = False
     study.Part.ViewObject.Visibility = True
-    assert not shown.at_button.isEnabled()
+    other = FreeCAD.newDocument("Other", hidden=True)
+    Gui.Selection.addSelection(other.addObject("Part::Box", "Fillet"), "Face1")
+    spin()
+    assert not shown.at_button.isEnabled()   # of another document
+    FreeCAD.closeDocument(other.Name)
     click_in_view(FreeCAD.Vector(70, 40, 15))   # the upper side of the plate
     wait_for(shown.at_button.isEnabled, 20)
     click(shown.at_button)

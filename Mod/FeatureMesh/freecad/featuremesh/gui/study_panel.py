@@ -116,9 +116,10 @@ class StudyPanel(ClosesWithObject):
     # FreeCAD's observer of the selection: a clicked sketch, feature or face shows its dimensions
 
     def addSelection(self, document, name, element, _):
-        obj = FreeCAD.getDocument(document).getObject(name)
+        if document != self._document.Name:
+            return
         path = element.split(".")
-        for step in [name, *path[:-1]] if obj is not None else ():
+        for step in [name, *path[:-1]]:
             self.dimensions.show_object(step)
         self.at_button.setEnabled(path[-1].startswith(("Face", "Edge", "Vertex")))
 
