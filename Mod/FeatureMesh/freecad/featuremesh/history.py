@@ -15,6 +15,7 @@ from .reading import dependencies, has_shape
 
 _NAMES = ("Label", "UseLabel")   # by which a mesh group object may call its groups
 _WATCHED = ("References", *references.ALONG, "Group", "MeshGroupList", "MeshRegionList", "Automatic", *_NAMES)
+_PLACES = ("Placement", "PlacementList")   # of an object, and of a link with several elements
 _observer = None
 _deleted = {}   # name of a document -> names of the objects deleted from it
 _recomputed = set()   # names of the documents that were recomputed since they were opened
@@ -93,7 +94,8 @@ class _Observer:
 
     def slotOpenTransaction(self, document, _):
         _getting_shape.clear()
-        _untouched[document.Name] = [obj.Name for obj in document.Objects if (_is_ours(obj) or size_zone.is_zone(obj)) and "Touched" not in obj.State]
+        _untouched[document.Name] = [obj.Name for obj in document.Objects
+                                     if (_is_ours(obj) or size_zone.is_zone(obj) or assembled.is_assembled(obj)) and "Touched" not in obj.State]
 
     def slotAbortTransaction(self, document):
         """FreeCAD takes back what was set, but not its mark that something was."""
@@ -161,6 +163,8 @@ class _Observer:
         if obj.Document.Transacting or _getting_shape and name in ("References", *references.ALONG):
             return   # since 1.0 FreeCAD lets references follow a shape that a script sets
         results.member_changed(obj, name)
+        if name in _PLACES:
+            assembled.touch_if_moved(obj.InListRecursive)
         if name not in _WATCHED:
             return
         if name == "Group" and analyses.is_analysis(obj):
@@ -202,6 +206,7 @@ def _outdate_in_others(document):
 
 def _show_states(document):
     _undone.add(document.Name)
+    assembled.touch_if_moved(document.Objects)
     for obj in document.Objects:
         if _is_ours(obj):
             obj.Proxy.show_state(obj)
@@ -215,9 +220,10 @@ def _show_states(document):
 
 
 def _is_beside_its_part(mesh):
-    """Was the part moved, which needs no recompute, before something else that is undone now?"""
+    """Was the part, or one of several, moved, which needs no recompute, before something else that is undone now?"""
     part = versions.part_of(mesh)
-    return part is not None and has_shape(part) and not hand_over.lies_on(mesh.Proxy.arrays(mesh), part.Shape)
+    return part is not None and has_shape(part) and (assembled.was_moved(part)
+                                                     or not hand_over.lies_on(mesh.Proxy.arrays(mesh), part.Shape))
 
 
 def _name_of(obj):
