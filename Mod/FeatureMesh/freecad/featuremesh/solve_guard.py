@@ -8,15 +8,19 @@ as ever.
 
 import FreeCAD
 
-from . import analyses, history, materials, references, resolving, results, versions
+from . import analyses, formats, history, materials, references, resolving, results, statics_model, versions
 from .errors import UserError
 from .hand_over import EntityGroups, is_material
 from .messages import said
+from .proxies import type_of
 from .reading import describe
 from .user_words import in_words
 from .wrapping import wrap
 
-translate = FreeCAD.Qt.translate
+translate, QT_TRANSLATE_NOOP = FreeCAD.Qt.translate, FreeCAD.Qt.QT_TRANSLATE_NOOP
+# Of meshes of faces and of edges: what gives an element its size, and what is said of one without.
+_SECTIONS = {"triangles": ("Face", "Fem::ElementGeometry2D", QT_TRANSLATE_NOOP("FeatureMesh", "{place:entities} has no shell thickness; choose one for it")),
+             "segments": ("Edge", "Fem::ElementGeometry1D", QT_TRANSLATE_NOOP("FeatureMesh", "{place:entities} has no beam section; choose one for it"))}
 # What acts on nodes, which faces and edges without elements share with others.
 _ON_NODES = ("Fem::ConstraintFixed", "Fem::ConstraintDisplacement", "App::MaterialObject")
 # How the window shows a refusal; None: in the report view.
@@ -30,7 +34,7 @@ def reason(analysis):
             analysis.Label, _ours_in(analysis.Document)[0].Label)
     for mesh in analyses.meshes_of(analysis) if analysis is not None else ():
         problem = mesh.Proxy.why_not_to_solve(mesh) or not_recomputed(mesh) or _clicked_elsewhere(analysis, mesh) \
-            or _without_elements(analysis, mesh) or _material_in_doubt(analysis, mesh) if analyses.is_ours(mesh) else ""
+            or _without_elements(analysis, mesh) or _material_in_doubt(analysis, mesh) or _without_section(analysis, mesh) if analyses.is_ours(mesh) else ""
         if problem:
             return problem
     return _lost(analysis) or _without_trace(analysis)
@@ -83,6 +87,24 @@ def _material_in_doubt(analysis, mesh):
         return ""
     problem = materials.doubt(chosen, resolving.Resolver(versions.part_of(source)), EntityGroups(source.Proxy.arrays(source)))
     return in_words(problem) if problem else ""
+
+
+def _without_section(analysis, mesh):
+    """Where all of several thicknesses or beam sections have faces or edges of their own, what an edit has brought may have none, and CalculiX would end. A
+    single one is for all."""
+    source = analyses.source_of(mesh)
+    arrays = source.Proxy.arrays(source) if source is not None else None
+    filling = formats.filling_of(arrays)[0] if source is not None else None
+    if filling not in _SECTIONS:
+        return ""
+    kind, fem_type, words = _SECTIONS[filling]
+    chosen = [member for member in statics_model.members_of(analysis) if type_of(member) == fem_type]
+    if len(chosen) < 2 or not all(member.References for member in chosen):
+        return ""
+    resolver = resolving.Resolver(versions.part_of(source))
+    known = {name for member in chosen for name in resolver.of_object(member)[0]}
+    bare = [name for name in EntityGroups(arrays).of_kind(kind) if name not in known]
+    return in_words(said(words, place=bare[:1])) if bare else ""
 
 
 def _ours_in(document):
