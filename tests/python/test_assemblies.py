@@ -255,6 +255,29 @@ class Assembly(InADocument):
         self.document.abortTransaction()
         self.assertEqual((mesh.Status, solve_guard.not_recomputed(mesh)), (mesh_object.UP_TO_DATE, ""))
 
+    def test_the_container_of_a_part_that_is_moved_takes_its_mesh_along(self):
+        """FEM has the nodes of a part where it is seen since 1.0, and looks for loaded faces there."""
+        container = self.document.addObject("App::Part", "Machine")
+        container.Placement = placement(50, 0, 0)
+        box = container.newObject("Part::Box", "Box")
+        self.document.recompute()
+        mesh = api.add_mesh(box, 5)
+        self.document.recompute()
+        self.document.UndoMode = 1
+        self.document.openTransaction("Higher")
+        box.Height = 12
+        self.document.recompute()
+        self.document.commitTransaction()
+        self.document.undo()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        for mark in (True, False):
+            container.Placement.Base.x += 10
+            if not mark:
+                container.purgeTouched()
+            self.assertEqual(bool(mesh.Proxy.why_not_to_solve(mesh)), versions.version() >= (1, 0))
+            self.document.recompute()
+            self.assertEqual((mesh.Status, mesh.FemMesh.BoundBox.XMin), (mesh_object.UP_TO_DATE, versions.parent_frame(box).Base.x))
+
     def test_a_link_is_meshed_and_loaded_where_it_is(self):
         """FEM's writer looks for the nodes of a force on a face by their places."""
         box = self.document.addObject("Part::Box", "Box")

@@ -11,10 +11,9 @@ it is shown by such an object, too, to which loads and supports refer.
 import itertools
 
 import FreeCAD
-import numpy as np
 import Part
 
-from . import reading
+from . import reading, versions
 from .errors import FailedUpdate, UserError
 from .messages import of_error, said
 from .proxies import HIDDEN, Stateless, add_missing
@@ -30,7 +29,6 @@ PROPERTIES = [
     ("App::PropertyStringList", "Joints", "Parts", None, True, "The faces that joined parts share"),
     ("App::PropertyPlacementList", "Places", "Parts", None, True, "Where the solids of the parts were when they were put together"),
 ]
-_SAME_PLACE = 1e-7   # mm, and of the numbers of a rotation
 _LOST = 1e-4   # share of a solid's volume by which its pieces may differ from it
 # Called with every object that was made or opened; the window's side adds its view there.
 on_ready = []
@@ -90,11 +88,7 @@ def was_moved(obj):
     if not is_assembled(obj):
         return False
     now = _places_of(map(reading.shape_in_place, obj.Parts)) if all(map(reading.has_shape, obj.Parts)) else []
-    return len(now) != len(obj.Places) or not np.allclose(_numbers_of(now), _numbers_of(obj.Places), rtol=0, atol=_SAME_PLACE)
-
-
-def _numbers_of(places):
-    return [place.toMatrix().A for place in places]
+    return len(now) != len(obj.Places) or not all(map(versions.are_same_place, now, obj.Places))
 
 
 def _places_of(shapes):

@@ -8,6 +8,7 @@ groups by which a solver finds the nodes of constraints are renewed when the ref
 import itertools
 
 import FreeCAD
+import Part
 
 from . import analyses, assembled, disk_room, hand_over, recompute_errors, references, results, size_zone, versions
 from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, UP_TO_DATE, is_of_its_part
@@ -164,7 +165,7 @@ class _Observer:
             return   # since 1.0 FreeCAD lets references follow a shape that a script sets
         results.member_changed(obj, name)
         if name in _PLACES:
-            assembled.touch_if_moved(obj.InListRecursive)
+            _touch_what_moved_with(obj)
         if name not in _WATCHED:
             return
         if name == "Group" and analyses.is_analysis(obj):
@@ -204,6 +205,13 @@ def _outdate_in_others(document):
                 mesh.Status = EDITED_ELSEWHERE
 
 
+def _touch_what_moved_with(obj):
+    """FreeCAD's Assembly takes its mark that it moved something away, and what is in a container gets none in any case."""
+    assembled.touch_if_moved(obj.InListRecursive)
+    for mesh in _missed_an_edit(obj.Document) if assembled.is_container(obj) else ():
+        mesh.touch()
+
+
 def _show_states(document):
     _undone.add(document.Name)
     assembled.touch_if_moved(document.Objects)
@@ -220,10 +228,13 @@ def _show_states(document):
 
 
 def _is_beside_its_part(mesh):
-    """Was the part, or one of several, moved, which needs no recompute, before something else that is undone now?"""
+    """Was the part, or one of several, or what it is in, moved, which needs no recompute, before something else that is undone now?"""
     part = versions.part_of(mesh)
-    return part is not None and has_shape(part) and (assembled.was_moved(part)
-                                                     or not hand_over.lies_on(mesh.Proxy.arrays(mesh), part.Shape))
+    if part is None or not has_shape(part):
+        return False
+    shape = Part.Shape(part.Shape)
+    shape.Placement = versions.parent_frame(part).multiply(shape.Placement)
+    return assembled.was_moved(part) or not hand_over.lies_on(mesh.Proxy.arrays(mesh), shape)
 
 
 def _name_of(obj):
