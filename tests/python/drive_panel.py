@@ -183,6 +183,9 @@ def check_edit_while_open(document, body):
     document.redo()
     spin()
     assert document.getObject(name).Visibility and not body.Visibility
+    body.Tip.Visibility, body.Visibility = False, True   # so FreeCAD's panels of patterns leave the tip of a hidden body
+    assert body.Tip.Visibility
+    body.Visibility = False
     document.removeObject(name)
     spin()
     assert body.Visibility

@@ -13,7 +13,7 @@ import numpy as np
 import ObjectsFem
 import Part
 from analyses import add_material, add_solver, quantity, solve
-from freecad.featuremesh import api, assembled, mesh_object, tasks, versions
+from freecad.featuremesh import api, assembled, mesh_object, solve_guard, tasks, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import in_english
 from parts import groups_in_freecad, new_document, placement
@@ -231,6 +231,52 @@ class Assembly(InADocument):
             self.assertLess((FreeCAD.Vector(*now[number]) - motion.multVec(FreeCAD.Vector(*before[number]))).Length, 1e-9)
         for number in parts[0] | parts[1]:
             self.assertTrue(np.array_equal(now[number], before[number]), number)
+
+    def test_a_part_that_is_moved_without_a_mark_takes_its_mesh_along(self):
+        """As FreeCAD's Assembly moves what is dragged: it sets the placement and takes the mark of an edit back."""
+        container = self.document.addObject("App::Part", "Machine")
+        boxes = tower(self.document, container, gap=1)
+        mesh = self.meshed(container)
+        self.document.UndoMode = 1
+        self.document.openTransaction("Move part")
+        boxes[0].Placement.Base.x += 20
+        boxes[0].purgeTouched()
+        self.document.commitTransaction()
+        self.assertTrue(solve_guard.not_recomputed(mesh))
+        self.document.recompute()
+        self.assertEqual((mesh.Status, mesh.KeptTets, mesh.FemMesh.BoundBox.XMax), (mesh_object.UP_TO_DATE, 100, 20 + SIDE))
+        self.document.undo()
+        self.assertEqual(mesh.Status, mesh_object.OUT_OF_DATE)
+        self.document.recompute()
+        self.assertEqual((mesh.Status, mesh.KeptTets, mesh.FemMesh.BoundBox.XMax), (mesh_object.UP_TO_DATE, 100, SIDE))
+        self.document.openTransaction("Cancelled")
+        boxes[0].Placement.Base.x += 20
+        boxes[0].purgeTouched()
+        self.document.abortTransaction()
+        self.assertEqual((mesh.Status, solve_guard.not_recomputed(mesh)), (mesh_object.UP_TO_DATE, ""))
+
+    def test_the_container_of_a_part_that_is_moved_takes_its_mesh_along(self):
+        """FEM has the nodes of a part where it is seen since 1.0, and looks for loaded faces there."""
+        container = self.document.addObject("App::Part", "Machine")
+        container.Placement = placement(50, 0, 0)
+        box = container.newObject("Part::Box", "Box")
+        self.document.recompute()
+        mesh = api.add_mesh(box, 5)
+        self.document.recompute()
+        self.document.UndoMode = 1
+        self.document.openTransaction("Higher")
+        box.Height = 12
+        self.document.recompute()
+        self.document.commitTransaction()
+        self.document.undo()
+        self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+        for mark in (True, False):
+            container.Placement.Base.x += 10
+            if not mark:
+                container.purgeTouched()
+            self.assertEqual(bool(mesh.Proxy.why_not_to_solve(mesh)), versions.version() >= (1, 0))
+            self.document.recompute()
+            self.assertEqual((mesh.Status, mesh.FemMesh.BoundBox.XMin), (mesh_object.UP_TO_DATE, versions.parent_frame(box).Base.x))
 
     def test_a_link_is_meshed_and_loaded_where_it_is(self):
         """FEM's writer looks for the nodes of a force on a face by their places."""

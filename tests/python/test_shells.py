@@ -12,7 +12,7 @@ import numpy as np
 import ObjectsFem
 import Part
 from analyses import add_material, add_solver, quantity, solve, solver_of
-from freecad.featuremesh import api, export, mesh_object, overlays, statics
+from freecad.featuremesh import api, export, mesh_object, overlays, solve_guard, statics
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from parts import groups_in_freecad, groups_of, new_document, placement, plate_with_hole, rectangle
@@ -263,6 +263,23 @@ class ShellsSolved(RemeshedExamples, unittest.TestCase):
             expected = force * length ** 3 / (3 * 210000 * 50 * 8 ** 3 / 12)
             self.assertLess(abs(solve(analysis)["displacement"] / expected - 1), WITHIN)
         self.assertGreater(mesh.KeptTets, 70)
+
+    def test_a_new_face_without_a_thickness_is_named(self):
+        """One thickness is for all faces, several are for those that they name; CalculiX ends where an element has none."""
+        pipe = square_pipe(new_document())
+        document = pipe.Document
+        analysis, mesh = ObjectsFem.makeAnalysis(document, "Analysis"), api.add_mesh(pipe, 10)
+        thicknesses = [ObjectsFem.makeElementGeometry2D(document, value, "Thickness") for value in (2, 3)]
+        for member in (mesh, *thicknesses):
+            analysis.addObject(member)
+        thicknesses[0].References, thicknesses[1].References = [(pipe, ("Face1", "Face2"))], [(pipe, ("Face3", "Face4"))]
+        document.recompute()
+        self.assertEqual(solve_guard.reason(analysis), "")
+        pipe.Base.addGeometry(Part.LineSegment(FreeCAD.Vector(), FreeCAD.Vector(-20, -20, 0)))
+        document.recompute()
+        self.assertIn("has no shell thickness", solve_guard.reason(analysis))
+        thicknesses[1].References = []
+        self.assertEqual(solve_guard.reason(analysis), "")
 
     def force_in(self, analysis):
         """N, the sum of what the input file has."""

@@ -13,7 +13,7 @@ import itertools
 import FreeCAD
 import Part
 
-from . import reading
+from . import reading, versions
 from .errors import FailedUpdate, UserError
 from .messages import of_error, said
 from .proxies import HIDDEN, Stateless, add_missing
@@ -27,6 +27,7 @@ PROPERTIES = [
     ("App::PropertyLinkListGlobal", "Parts", "Parts", None, True, "The parts, in the order of the solids of the shape"),
     ("App::PropertyBool", "Join", "Parts", False, False, "Parts that lie on one another share faces, and the mesh its nodes there"),
     ("App::PropertyStringList", "Joints", "Parts", None, True, "The faces that joined parts share"),
+    ("App::PropertyPlacementList", "Places", "Parts", None, True, "Where the solids of the parts were when they were put together"),
 ]
 _LOST = 1e-4   # share of a solid's volume by which its pieces may differ from it
 # Called with every object that was made or opened; the window's side adds its view there.
@@ -59,6 +60,7 @@ class AssembledParts(Stateless):
         if parts != obj.Parts:
             obj.Parts = parts
         shapes = [reading.shape_in_place(part) for part in parts]
+        obj.Places = _places_of(shapes)
         if obj.Join:
             shapes = joined(parts, shapes)
         obj.Shape = Part.makeCompound(shapes)
@@ -68,10 +70,29 @@ class AssembledParts(Stateless):
         self._get_ready(obj)
 
     def _get_ready(self, obj):
-        add_missing(obj, PROPERTIES)
+        add_missing(obj, PROPERTIES, hidden=("Places",))
         obj.setEditorMode("Placement", HIDDEN)   # the parts are where they are
         for hook in on_ready:
             hook(obj)
+
+
+def touch_if_moved(objects):
+    """Touches those of our objects among these whose parts were moved: FreeCAD's Assembly takes back its mark that it moved a part."""
+    for obj in objects:
+        if "Touched" not in obj.State and was_moved(obj):
+            obj.touch()
+
+
+def was_moved(obj):
+    """Is this one of our objects with a part that is not where it was when they were put together?"""
+    if not is_assembled(obj):
+        return False
+    now = _places_of(map(reading.shape_in_place, obj.Parts)) if all(map(reading.has_shape, obj.Parts)) else []
+    return len(now) != len(obj.Places) or not all(map(versions.are_same_place, now, obj.Places))
+
+
+def _places_of(shapes):
+    return [solid.Placement for shape in shapes for solid in shape.Solids]
 
 
 def joined(parts, shapes):

@@ -321,7 +321,11 @@ class EntityGroups:
 
     def solids(self):
         """Names of the solids that have tets."""
-        return [name for name in self._elements if name.startswith("Solid")]
+        return self.of_kind("Solid")
+
+    def of_kind(self, kind):
+        """Names of the solids, faces or edges that have elements."""
+        return [name for name in self._elements if name.startswith(kind)]
 
     def points_inside(self, name, count):
         """At most `count` points inside that solid, spread over it: centroids of tets, (n,3) mm."""

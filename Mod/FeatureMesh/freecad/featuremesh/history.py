@@ -8,6 +8,7 @@ groups by which a solver finds the nodes of constraints are renewed when the ref
 import itertools
 
 import FreeCAD
+import Part
 
 from . import analyses, assembled, disk_room, hand_over, recompute_errors, references, results, size_zone, versions
 from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, UP_TO_DATE, is_of_its_part
@@ -15,6 +16,7 @@ from .reading import dependencies, has_shape
 
 _NAMES = ("Label", "UseLabel")   # by which a mesh group object may call its groups
 _WATCHED = ("References", *references.ALONG, "Group", "MeshGroupList", "MeshRegionList", "Automatic", *_NAMES)
+_PLACES = ("Placement", "PlacementList")   # of an object, and of a link with several elements
 _observer = None
 _deleted = {}   # name of a document -> names of the objects deleted from it
 _recomputed = set()   # names of the documents that were recomputed since they were opened
@@ -92,7 +94,8 @@ class _Observer:
 
     def slotOpenTransaction(self, document, _):
         _getting_shape.clear()
-        ours = _meshes_in(document) + list(filter(size_zone.is_zone, document.findObjects("App::GeometryPython")))
+        ours = [*_meshes_in(document), *filter(size_zone.is_zone, document.findObjects("App::GeometryPython")),
+                *filter(assembled.is_assembled, document.findObjects("Part::FeaturePython"))]
         _untouched[document.Name] = [obj.Name for obj in ours if "Touched" not in obj.State]
 
     def slotAbortTransaction(self, document):
@@ -161,6 +164,8 @@ class _Observer:
         if obj.Document.Transacting or _getting_shape and name in ("References", *references.ALONG):
             return   # since 1.0 FreeCAD lets references follow a shape that a script sets
         results.member_changed(obj, name)
+        if name in _PLACES:
+            _touch_what_moved_with(obj)
         if name not in _WATCHED:
             return
         if name == "Group" and analyses.is_analysis(obj):
@@ -198,8 +203,16 @@ def _outdate_in_others(document):
                 mesh.Status = EDITED_ELSEWHERE
 
 
+def _touch_what_moved_with(obj):
+    """FreeCAD's Assembly takes its mark that it moved something away, and what is in a container gets none in any case."""
+    assembled.touch_if_moved(obj.InListRecursive)
+    for mesh in _missed_an_edit(obj.Document) if assembled.is_container(obj) else ():
+        mesh.touch()
+
+
 def _show_states(document):
     _undone.add(document.Name)
+    assembled.touch_if_moved(document.findObjects("Part::FeaturePython"))
     for mesh in _meshes_in(document):
         mesh.Proxy.show_state(mesh)
         mesh.Proxy.members_changed(mesh, after_undo=True)
@@ -212,9 +225,13 @@ def _show_states(document):
 
 
 def _is_beside_its_part(mesh):
-    """Was the part moved, which needs no recompute, before something else that is undone now?"""
+    """Was the part, or one of several, or what it is in, moved, which needs no recompute, before something else that is undone now?"""
     part = versions.part_of(mesh)
-    return part is not None and has_shape(part) and not hand_over.lies_on(mesh.Proxy.arrays(mesh), part.Shape)
+    if part is None or not has_shape(part):
+        return False
+    shape = Part.Shape(part.Shape)
+    shape.Placement = versions.parent_frame(part).multiply(shape.Placement)
+    return assembled.was_moved(part) or not hand_over.lies_on(mesh.Proxy.arrays(mesh), shape)
 
 
 def _name_of(obj):

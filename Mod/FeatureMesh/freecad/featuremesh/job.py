@@ -28,6 +28,7 @@ class MeshJob:
         self.part_mesh = None
         self.report = None
         self.shape = None         # the part's, as FreeCAD has it
+        self.frame = None         # and where what it is in puts it
         self.settings = None      # the mesh object's when the job was made
         self.begun_at = None      # which saved state it had then, see overtaken.py
         self.seconds = {}

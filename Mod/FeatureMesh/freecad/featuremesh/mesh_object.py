@@ -133,7 +133,7 @@ class FeatureMesh(Stateless):
             start = time.perf_counter()
             part = versions.part_of(mesh)
             job = adopt.AdoptJob(read_document(part), options_of(mesh, part), arrays)
-            job.shape, job.settings = part.Shape, settings_of(mesh)
+            job.shape, job.frame, job.settings = part.Shape, versions.parent_frame(part), settings_of(mesh)
             job.seconds = {"document": time.perf_counter() - start, "restore": 0.0}
             return job
 
@@ -155,7 +155,7 @@ class FeatureMesh(Stateless):
             self.note_references(mesh, mesh.MeshRegionList, raw)
         refined = refinements.read(mesh, part, raw)
         job = MeshJob(raw, options_of(mesh, part, raw, refined), old, problem, moved + refined.notes)
-        job.saved, job.shape, job.settings = saved, part.Shape, settings_of(mesh)
+        job.saved, job.shape, job.frame, job.settings = saved, part.Shape, versions.parent_frame(part), settings_of(mesh)
         if old is None:
             job.next_numbers = state_property.next_numbers(mesh, state_is_sound=problem is None and (
                 saved is None or hand_over.has_as_many(mesh.FemMesh, saved.arrays)))
@@ -178,7 +178,7 @@ class FeatureMesh(Stateless):
         handed_over = time.perf_counter()
         self._store(mesh, job)   # first, so that a full disk leaves the old mesh with its old state
         give(mesh, fem_mesh, hand_over.skin(mesh, job.part_mesh.arrays()))
-        self._shape = job.shape
+        self._shape, self._frame = job.shape, job.frame
         self.note_references(mesh, self._referring(mesh), job.raw, anew=True)
         job.seconds.update(hand_over=handed_over - start, state=time.perf_counter() - handed_over)
         job.seconds["total"] = sum(job.seconds.values())
@@ -195,7 +195,7 @@ class FeatureMesh(Stateless):
         report = self._report_with_references(mesh, job)
         if for_freecad:
             give(mesh, self._fem_mesh(mesh, job.part_mesh, job.raw))
-        self._part_mesh, self._raw = job.part_mesh, job.raw
+        self._part_mesh, self._raw, self._frame = job.part_mesh, job.raw, job.frame
         mesh.Status = UP_TO_DATE
         return report
 
@@ -237,14 +237,14 @@ class FeatureMesh(Stateless):
         if status == UP_TO_DATE:
             return ""
         if status.startswith(FAILED):
-            return translate("FeatureMesh", "%s is not that of the part as it is, its last update failed: %s") % (
-                describe(mesh), in_words(failure_of(mesh)))
+            return translate("FeatureMesh", "%s is not that of the part as it is, its last update failed: %s") % (describe(mesh), in_words(failure_of(mesh)))
         return translate("FeatureMesh", "%s is %s; update it before solving") % (describe(mesh), status_in_words(mesh, status))
 
     def missed_an_edit(self, mesh):
-        """Is the mesh not that of its part, which is frozen, without a word from FreeCAD?"""
-        part = versions.part_of(mesh)
-        return is_of_its_part(mesh) and self._shape is not None and part is not None and versions.is_frozen(part) and not part.Shape.isSame(self._shape)
+        """Is the mesh not that of its part, which is frozen, or whose container was moved, without a word from FreeCAD?"""
+        part = versions.part_of(mesh) if is_of_its_part(mesh) and self._shape is not None else None
+        return part is not None and (versions.is_frozen(part) and not part.Shape.isSame(self._shape)
+                                     or not versions.are_same_place(versions.parent_frame(part), self._frame))
 
     def clicked_elsewhere(self, mesh, members):
         """Which member of an analysis was clicked on another copy than the meshed one, as a sentence; "" when none was. FreeCAD's writer of CalculiX input
@@ -300,7 +300,8 @@ class FeatureMesh(Stateless):
                 return
         self._shown = checksum
         _show_in_other_analyses(mesh)
-        self._shape = versions.part_of(mesh).Shape if is_of_its_part(mesh) and versions.part_of(mesh) is not None else None
+        part = versions.part_of(mesh) if is_of_its_part(mesh) else None
+        self._shape, self._frame = (part.Shape, versions.parent_frame(part)) if part is not None else (None, None)
 
     def settle(self, mesh, objects, raw=None):
         """Lets those of `objects` that have to do with this mesh refer to its part, not to what the part is made of. `raw` is the part as it was
@@ -448,7 +449,7 @@ class FeatureMesh(Stateless):
         self._noted.load(mesh)
         self._elements = elements_of_today(saved.raw, mesh.Document)
         if is_of_its_part(mesh) and part is not None:
-            self._shape = part.Shape
+            self._shape, self._frame = part.Shape, versions.parent_frame(part)
         if not mesh.ReferredTo:
             mesh.ReferredTo = json.dumps(saved.references)
         if part is not None and has_shape(part):
@@ -533,9 +534,8 @@ class FeatureMesh(Stateless):
         self._part_mesh, self._raw, self._options = job.part_mesh, job.raw, job.options
 
     def _forget(self):
-        self._part_mesh = None   # the engine's mesh, while it is in memory
-        self._raw = self._options = None   # what it was made from
-        self._shape = None       # the part's shape then
+        self._part_mesh = self._raw = self._options = None   # the engine's mesh, while it is in memory, and what it was made from
+        self._shape = self._frame = None   # the part's shape then, and the frame of what it is in
         self._elements = None    # sketch elements of a saved state, with today's ids
         self._noted = NotedParts()   # by which is followed what was chosen after the last mesh
         self._lost = LostReferences()

@@ -8,15 +8,19 @@ as ever.
 
 import FreeCAD
 
-from . import analyses, history, materials, references, resolving, results, versions
+from . import analyses, formats, history, materials, references, resolving, results, statics_model, versions
 from .errors import UserError
 from .hand_over import EntityGroups, is_material
 from .messages import said
+from .proxies import type_of
 from .reading import describe
 from .user_words import in_words
 from .wrapping import wrap
 
-translate = FreeCAD.Qt.translate
+translate, QT_TRANSLATE_NOOP = FreeCAD.Qt.translate, FreeCAD.Qt.QT_TRANSLATE_NOOP
+# Of meshes of faces and of edges: what gives an element its size, and what is said of one without.
+_SECTIONS = {"triangles": ("Face", "Fem::ElementGeometry2D", QT_TRANSLATE_NOOP("FeatureMesh", "{place:entities} has no shell thickness; choose one for it")),
+             "segments": ("Edge", "Fem::ElementGeometry1D", QT_TRANSLATE_NOOP("FeatureMesh", "{place:entities} has no beam section; choose one for it"))}
 # What acts on nodes, which faces and edges without elements share with others.
 _ON_NODES = ("Fem::ConstraintFixed", "Fem::ConstraintDisplacement", "App::MaterialObject")
 # How the window shows a refusal; None: in the report view.
@@ -39,9 +43,11 @@ def reason(analysis):
 
 def _why_not_on(mesh, analysis):
     """What of the analysis does not go with a mesh of ours that is up to date."""
-    resolver, entities = resolving.Resolver(versions.part_of(mesh)), EntityGroups(mesh.Proxy.arrays(mesh))
-    return _not_recomputed(mesh) or mesh.Proxy.clicked_elsewhere(mesh, analysis.Group) or _without_elements(analysis, resolver, entities) \
-        or _material_in_doubt(analysis, resolver, entities) or _without_trace(analysis, resolver)
+    arrays = mesh.Proxy.arrays(mesh)
+    resolver, entities = resolving.Resolver(versions.part_of(mesh)), EntityGroups(arrays)
+    return not_recomputed(mesh) or mesh.Proxy.clicked_elsewhere(mesh, analysis.Group) or _without_elements(analysis, resolver, entities) \
+        or _material_in_doubt(analysis, resolver, entities) or _without_section(analysis, resolver, entities, formats.filling_of(arrays)[0]) \
+        or _without_trace(analysis, resolver)
 
 
 def _lost(analysis):
@@ -56,7 +62,7 @@ def _without_trace(analysis, resolver):
     return ""
 
 
-def _not_recomputed(mesh):
+def not_recomputed(mesh):
     """What its part comes from and was edited since the last recompute."""
     edited = history.edited_behind(mesh)
     return translate("FeatureMesh", "%s was edited and not recomputed; recompute the document before solving") % describe(edited[0]) if edited else ""
@@ -77,6 +83,20 @@ def _material_in_doubt(analysis, resolver, entities):
     """Solids have become one, or there is another one, since materials were chosen for them."""
     problem = materials.doubt(list(filter(is_material, analysis.Group)), resolver, entities)
     return in_words(problem) if problem else ""
+
+
+def _without_section(analysis, resolver, entities, filling):
+    """Where all of several thicknesses or beam sections have faces or edges of their own, what an edit has brought may have none, and CalculiX would end. A
+    single one is for all."""
+    if filling not in _SECTIONS:
+        return ""
+    kind, fem_type, words = _SECTIONS[filling]
+    chosen = [member for member in statics_model.members_of(analysis) if type_of(member) == fem_type]
+    if len(chosen) < 2 or not all(member.References for member in chosen):
+        return ""
+    known = {name for member in chosen for name in resolver.of_object(member)[0]}
+    bare = [name for name in entities.of_kind(kind) if name not in known]
+    return in_words(said(words, place=bare[:1])) if bare else ""
 
 
 def refuse(analysis):

@@ -7,6 +7,8 @@ import sys
 
 import FreeCAD
 
+_SAME_PLACE = 1e-7   # mm, and of the numbers of a rotation
+
 
 @functools.lru_cache(maxsize=None)
 def version():
@@ -55,6 +57,11 @@ def parent_frame(part):
     if hasattr(part, "getGlobalPlacement"):
         return part.getGlobalPlacement().multiply(part.Placement.inverse())
     return frame_around(part)   # of a link, whose global placement 1.0 does not tell
+
+
+def are_same_place(one, other):
+    """Are two placements the same, but for rounding? Told by placements themselves since 0.21."""
+    return all(abs(a - b) <= _SAME_PLACE for a, b in zip(one.toMatrix().A, other.toMatrix().A))
 
 
 def frame_around(obj):

@@ -120,6 +120,7 @@ class _Observer:
             return
         if name == "Visibility":
             _hide_what_it_covers(obj)
+            _show_tip(obj)
         elif analyses.is_analysis(obj) and obj.Group:
             _hide_what_it_covers(obj.Group[-1])   # what was added last
 
@@ -156,6 +157,13 @@ def _hide_what_it_covers(obj):
         holding = _analyses_above(obj)
         others = [other for other in obj.Document.Objects if other.Visibility and (is_live_result(other) if is_drawn else other.isDerivedFrom(_POST))]
         _set_visible([other for other in others if holding & _analyses_above(other)], False)
+
+
+def _show_tip(obj):
+    """FreeCAD's panels of patterns leave the tip of a body hidden that was hidden itself, as it is in place of its mesh: nothing of it would be seen."""
+    if obj.Visibility and obj.isDerivedFrom("PartDesign::Body") and obj.Tip is not None and any(versions.part_of(mesh) is obj for mesh in api.meshes_of(obj.Document)) \
+            and not any(member.Visibility for member in obj.Group if member.isDerivedFrom("PartDesign::Feature")):
+        _set_visible([obj.Tip], True)
 
 
 def _analyses_above(obj):

@@ -280,6 +280,10 @@
       <translation>Wo die Fälle liegen</translation>
     </message>
     <message>
+      <source>Where the solids of the parts were when they were put together</source>
+      <translation>Wo die Volumenkörper der Bauteile waren, als sie zusammengefügt wurden</translation>
+    </message>
+    <message>
       <source>Whether the mesh fits the part, and if not, why</source>
       <translation>Ob das Netz zum Bauteil passt, und wenn nicht, warum</translation>
     </message>
@@ -2039,6 +2043,14 @@
     <message>
       <source>{sides:count} {sides:side|sides} of elements at {places:entities} {sides:is|are} straight, with {sides:its middle|their middles} up to {distance:length} off the part, because elements would be folded if {sides:it|they} followed it. FreeCAD does not find these nodes on the face, so a load on it lacks the elements there. Ask for another size there.</source>
       <translation>{sides:count} {sides:Seite|Seiten} von Elementen bei {places:entities} {sides:ist|sind} gerade, {sides:ihre Mitte|ihre Mitten} bis zu {distance:length} neben dem Bauteil, weil Elemente gefaltet würden, wenn {sides:sie ihm folgte|sie ihm folgten}. FreeCAD findet diese Knoten nicht auf der Fläche, so dass einer Last darauf die Elemente dort fehlen. Dort eine andere Größe wählen.</translation>
+    </message>
+    <message>
+      <source>{place:entities} has no beam section; choose one for it</source>
+      <translation>{place:entities} hat keinen Balkenquerschnitt; wählen Sie einen dafür</translation>
+    </message>
+    <message>
+      <source>{place:entities} has no shell thickness; choose one for it</source>
+      <translation>{place:entities} hat keine Schalendicke; wählen Sie eine dafür</translation>
     </message>
     <message>
       <source>{solid:entities} has no material; choose one for it</source>
