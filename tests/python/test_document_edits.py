@@ -7,6 +7,8 @@ import unittest
 from types import SimpleNamespace
 
 import FreeCAD
+import Part
+import Sketcher
 from freecad.featuremesh import api
 from freecad.featuremesh.edits import is_whole_number, parameter_value, set_parameter, value_to_vary
 from freecad.featuremesh.errors import UserError
@@ -196,7 +198,12 @@ class Edits(unittest.TestCase):
                  for target in ("Sheet.thickness", "Sheet.sides", "Sheet.A1", "Sheet.A2", "Prism.Polygon", "Plate.Length", "Plate.Midplane")}
         self.assertEqual({target for target, is_whole in found.items() if is_whole}, {"Sheet.sides", "Prism.Polygon"})
         prism.setExpression("Polygon", "Sheet.A2")
+        sketch = self.document.addObject("Sketcher::SketchObject", "Sketch")
+        sketch.addGeometry(Part.LineSegment(FreeCAD.Vector(), FreeCAD.Vector(5, 0, 0)))
+        sketch.addConstraint(Sketcher.Constraint("Distance", 0, 5))
+        sketch.setExpression("Constraints[0]", "Sheet.thickness")   # it has no name
         self.assertTrue(is_whole_number(self.document, "Sheet.A2"))
+        self.assertFalse(is_whole_number(self.document, "Sheet.thickness"))
 
     def test_a_study_shows_labels(self):
         """Its columns are named as they are set."""

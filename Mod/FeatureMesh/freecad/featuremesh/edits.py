@@ -62,7 +62,7 @@ def is_whole_number(document, target):
     if kind is not _CELL:
         return type(kind.value(sheet, path)) is int
     cell = re.compile(r"(?<!\w)%s(?!\w)" % re.escape(path))
-    return any(cell.search(expression) and obj.getTypeIdOfProperty(bound.lstrip(".").split(".")[0]) in _WHOLE
+    return any(cell.search(expression) and obj.getTypeIdOfProperty(re.split(r"[.\[]", bound.lstrip("."))[0]) in _WHOLE
                for obj in sheet.InList for bound, expression in obj.ExpressionEngine)
 
 
