@@ -288,6 +288,12 @@ class Tasks(unittest.TestCase):
             self.assertIn("FeatureMesh: " + line, said)
         self.assertRegex(" ".join(self.done(command="tree", part=path)["data"]["notes"]), "overlap by 125")
 
+    def test_a_mesh_that_no_analysis_takes_is_said_to_be_in_none(self):
+        document = documents.open_document(BRACKET)
+        document.Analysis.addObject(document.addObject("Fem::FemMeshObject", "Older"))
+        documents.save_document(document, self.part)
+        self.assertRegex(" ".join(self.mesh()["data"]["warnings"]), "in no analysis: Analysis has Older already")
+
     def test_open_shell(self):
         path = self.save(Part.Solid(Part.Shell(Part.makeBox(1, 2, 3).Faces[:5])))
         self.refused("open|closed", command="mesh", part=path)

@@ -7,7 +7,7 @@ import runpy
 import sys
 import traceback
 
-from . import about, api, documents, engine, reading, tables, versions, whole_file
+from . import about, analyses, api, documents, engine, reading, tables, versions, whole_file
 from .errors import UserError
 from .transfer import find_result
 from .mesh_properties import FROM_SHAPE, element_count
@@ -39,6 +39,8 @@ def mesh(task):
         obj.IgnoreBelow = task["ignore_below"]
     report = api.update_mesh(obj, full=True, progress=_progress)
     report["seconds"]["recompute"] = 0.0
+    if not analyses.holding(obj):
+        report["warnings"] += filter(None, [analyses.for_new_mesh(part)[1]])   # why it is in none
     out = _save(document, task, report)
     return "%s has %s%s; saved as %s" % (obj.Name, _size_in_words(report), _fallback_in_words(report), out), report
 
