@@ -10,6 +10,7 @@ from unittest import mock
 
 import FreeCAD
 import Part
+import Sketcher
 from freecad.featuremesh import api, cli, documents, export, tables, tasks
 from parts import new_document, plate_with_hole
 
@@ -316,6 +317,10 @@ class Tasks(unittest.TestCase):
     def test_edit_that_cannot_be_recomputed(self):
         self.mesh()
         self.refused("cannot recompute Plate: .+", command="update", part=self.part, set=["Plate.Length=0"])
+        document = documents.open_document(self.part)
+        document.HoleSketch.addConstraint(Sketcher.Constraint("Radius", 0, 7))   # it has one: FreeCAD says so in several lines
+        documents.save_document(document, self.part)
+        self.refused("cannot recompute HoleSketch: .+", command="update", part=self.part, set=["HoleSketch.Placement.Base.x=1"])
 
     def test_edit_that_leaves_nothing(self):
         self.mesh()

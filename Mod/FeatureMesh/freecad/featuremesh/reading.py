@@ -170,8 +170,8 @@ def key_of(obj, home):
 
 
 def error_of(obj):
-    """FreeCAD's own message when the object is in error, else ""."""
-    return (obj.getStatusString() or "Invalid") if "Invalid" in state_of(obj) else ""
+    """FreeCAD's own message when the object is in error, without line breaks, else ""."""
+    return (" ".join(obj.getStatusString().split()) or "Invalid") if "Invalid" in state_of(obj) else ""
 
 
 def refuse_errors(part):
