@@ -3,9 +3,11 @@
 import errno
 import json
 import os
+import re
 import shutil
 import tempfile
 import unittest
+import zipfile
 from unittest import mock
 
 import FreeCAD
@@ -294,6 +296,16 @@ class Tasks(unittest.TestCase):
         document.Analysis.addObject(document.addObject("Fem::FemMeshObject", "Older"))
         documents.save_document(document, self.part)
         self.assertRegex(" ".join(self.mesh()["data"]["warnings"]), "in no analysis: Analysis has Older already")
+
+    def test_a_document_of_a_later_freecad_is_written_with_a_warning(self):
+        with zipfile.ZipFile(self.part) as archive:
+            members = {name: archive.read(name) for name in archive.namelist()}
+        members["Document.xml"] = re.sub(rb'(?<=ProgramVersion=")[^"]*', b"999.1R1", members["Document.xml"])
+        with zipfile.ZipFile(self.part, "w") as archive:
+            for name, content in members.items():
+                archive.writestr(name, content)
+        self.assertRegex(" ".join(self.mesh()["data"]["warnings"]), r"^FreeCAD 999\.1 saved this document")
+        self.assertEqual(self.mesh()["data"]["warnings"], [])
 
     def test_open_shell(self):
         path = self.save(Part.Solid(Part.Shell(Part.makeBox(1, 2, 3).Faces[:5])))

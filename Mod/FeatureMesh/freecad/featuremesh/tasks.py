@@ -218,7 +218,11 @@ def is_users_fault(error):
 
 def _save(document, task, report):
     """Writes the report and the document; what was there stays when either fails."""
-    out = task.get("out") or task["part"]
+    out, later = task.get("out") or task["part"], versions.later_that_saved(document)
+    if later:
+        report["warnings"] = report.get("warnings", []) + [said(
+            "FreeCAD {later:text} saved this document: what FreeCAD {version:text} does not know of it is not in the file that was written now, and an edit of it may fail",
+            later=later, version=versions.text())]
     documents.save_document(document, out)
     if task.get("json"):
         try:

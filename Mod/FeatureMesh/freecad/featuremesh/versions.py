@@ -3,6 +3,7 @@
 
 import functools
 import os
+import re
 import sys
 
 import FreeCAD
@@ -24,6 +25,12 @@ def text():
 def wrote(document):
     """Was the document made or last saved by a FreeCAD of this version?"""
     return document.getProgramVersion().startswith("%d.%dR" % version())
+
+
+def later_that_saved(document):
+    """The later FreeCAD that saved the document last, as "1.1"; None where it was no later one."""
+    found = re.match(r"(\d+)\.(\d+)", document.getProgramVersion())
+    return found[0] if found and tuple(map(int, found.groups())) > version() else None
 
 
 def packages_folder():

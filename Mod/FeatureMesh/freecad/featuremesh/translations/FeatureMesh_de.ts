@@ -527,6 +527,10 @@
       <translation>FreeCAD hat kein Dokument geschrieben</translation>
     </message>
     <message>
+      <source>FreeCAD {later:text} saved this document: what FreeCAD {version:text} does not know of it is not in the file that was written now, and an edit of it may fail</source>
+      <translation>FreeCAD {later:text} hat dieses Dokument gespeichert: was FreeCAD {version:text} davon nicht kennt, ist nicht in der Datei, die jetzt geschrieben wurde, und eine Änderung daran kann scheitern</translation>
+    </message>
+    <message>
       <source>FreeCAD {version:text} cannot read all of {path:text}{objects:messages}, and writing it would lose that; write another file with --out, or take the FreeCAD that it was made with</source>
       <translation>FreeCAD {version:text} kann nicht alles von {path:text} lesen{objects:messages}, und es ginge beim Schreiben verloren; mit --out eine andere Datei schreiben oder das FreeCAD nehmen, mit dem sie gemacht wurde</translation>
     </message>
