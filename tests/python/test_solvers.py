@@ -2,6 +2,7 @@
 """An analysis with several solver objects: which is taken, that it is said, and when nobody can know."""
 import shutil
 import unittest
+from unittest import mock
 
 import ObjectsFem
 from analyses import add_solver
@@ -9,7 +10,7 @@ from freecad.featuremesh import api, calculix, live_result, solvers, statics, ta
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from freecad.featuremesh.study import mass
-from statics_cases import HAS_SOLVER, STEEL, Case, faces_at
+from statics_cases import HAS_SOLVER, STEEL, Case, edges_along, faces_at
 
 
 @unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
@@ -38,6 +39,20 @@ class LoadsAndDensities(Case):
         self.add(self.of_the_box, ObjectsFem.makeConstraintSelfWeight, "Weight", None)
         with self.assertRaisesRegex(UserError, "Weight needs the density of every material; give each of them one, with its unit$"):
             statics.solve(self.of_the_box)
+
+
+class DirectOrIterative(Case):
+    """CalculiX's iterative solver ends before a part has moved as far as it does about supports at points."""
+
+    def test_a_part_held_at_points_and_edges_is_solved_directly(self):
+        part, analysis = self.held_box(8.0)
+        fixed = self.document.Fixed
+        with mock.patch.object(calculix, "_MANY", 100):
+            for held, is_iterative in ((faces_at(part, 0, 0), True), (["Vertex1", "Vertex2", "Vertex5"], False), (edges_along(part, 1)[::3], False)):
+                fixed.References = [(part, held)]
+                self.assertEqual(calculix.solves_iteratively(self.document.Solver, calculix.as_arrays(analysis)), is_iterative, held)
+            if shutil.which("ccx"):
+                self.assertRegex(api.solve_analysis(analysis, "ccx")["matrix_solver"]["why"], "points or edges hold the part")
 
 
 class SeveralSolvers(Case):

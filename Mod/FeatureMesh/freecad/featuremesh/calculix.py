@@ -19,7 +19,7 @@ import numpy as np
 import ObjectsFem
 from femtools import ccxtools
 
-from . import analyses, frd, modes, parent_process, solvers, statics, statics_model, statics_result, versions
+from . import analyses, frd, modes, parent_process, solvers, statics, statics_model, statics_result, statics_supports, versions
 from .errors import UserError
 from .messages import said
 from .proxies import type_of
@@ -163,25 +163,32 @@ def amend(path, solver, known):
 def solves_iteratively(solver, known):
     """Will CalculiX be given an iterative solver, by the user or by us? It takes far less memory than a direct one. `known` as as_arrays gives it."""
     setting = getattr(solver, "MatrixSolverType", "default")
-    return setting.startswith("iterative") or (setting == "default" and solver.AnalysisType == "static" and _unknowns(known) >= _MANY)
+    return setting.startswith("iterative") or (setting == "default" and solver.AnalysisType == "static" and _why_direct(known) is None)
 
 
-def _unknowns(known):
-    return 3 * len(known.arrays["points"]) if known is not None else 0
+def _why_direct(known):
+    """Why CalculiX's iterative solver is not for this model; None where it is."""
+    if known is None:
+        return "CalculiX's own choice"
+    unknowns = 3 * len(known.arrays["points"])
+    if unknowns < _MANY:
+        return "few unknowns (%d)" % unknowns
+    motions, _, _ = statics_supports.free_motions(known.arrays, statics_supports.held_by_faces(known.arrays, known.held))
+    if motions is None or motions.shape[2]:   # it looks at the sum of the forces that are left, which is small there long before the part has turned as far as it does
+        return "points or edges hold the part, where the iterative solver ends too soon"
+    return None
 
 
 def _with_solver(text, solver, known):
     setting = getattr(solver, "MatrixSolverType", "default")
     if setting != "default":
         return text, {"name": setting, "why": "the solver object %s says so" % describe(solver)}
-    unknowns = _unknowns(known)
-    if unknowns < _MANY:
-        return text, {"name": "default", "why": "CalculiX's own choice" if known is None else "few unknowns (%d)" % unknowns}
-    text, times = _STATIC.subn("*STATIC, SOLVER=ITERATIVE CHOLESKY", text, count=1)
+    why_direct = _why_direct(known)
+    text, times = (text, 0) if why_direct else _STATIC.subn("*STATIC, SOLVER=ITERATIVE CHOLESKY", text, count=1)
     if not times:
-        return text, {"name": "default", "why": "CalculiX's own choice"}
+        return text, {"name": "default", "why": why_direct or "CalculiX's own choice"}
     return text, {"name": "iterativecholesky", "why": "%d unknowns, linear statics of solids: the direct solver takes longer and more memory; "
-                  "the property MatrixSolverType of %s chooses another" % (unknowns, describe(solver))}
+                  "the property MatrixSolverType of %s chooses another" % (3 * len(known.arrays["points"]), describe(solver))}
 
 
 def _read_arrays(analysis, known, path):

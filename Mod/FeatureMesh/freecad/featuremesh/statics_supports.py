@@ -51,6 +51,16 @@ def free_motions(arrays, held):
     return free.reshape(count, 6, -1), centre, scale
 
 
+def held_by_faces(arrays, held):
+    """(n,3) which of the held components are those of faces that are held as a whole, not of points and edges."""
+    triangles, faces = connectivity(arrays, "triangles", "triangle_mids"), arrays["triangle_faces"]
+    found = np.zeros_like(held)
+    for axis in range(3):
+        free = faces[~held[triangles, axis].all(axis=1)]
+        found[triangles[~np.isin(faces, free)], axis] = True
+    return found
+
+
 def moved(arrays, motions, centre, scale):
     """(n,3) mm how the nodes move along the first of some free motions, a tenth of the part at most; turns are as small turns are."""
     bodies = engine.load().statics_bodies(arrays)
