@@ -55,6 +55,22 @@ class DirectOrIterative(Case):
                 self.assertRegex(api.solve_analysis(analysis, "ccx")["matrix_solver"]["why"], "points or edges hold the part")
 
 
+@unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+class DoubtsAboutCalculiX(Case):
+    def test_a_load_on_another_object_and_a_part_that_flew_away_are_said(self):
+        """The live solver knows no such load, so that nothing finds out beforehand that one point does not hold the part."""
+        _, analysis = self.held_box(8.0)
+        other = self.document.addObject("Part::Box", "Other")
+        other.Length, other.Width, other.Height = 40, 20, 10
+        self.document.recompute()
+        self.document.Force.References = [(other, faces_at(other, 0, 40))]
+        said = " ".join(map(english, api.solve_analysis(analysis, "ccx")["warnings"]))
+        self.assertRegex(said, "Force refers to Other:Face2, which is not on the meshed part Box: CalculiX got what FreeCAD found in the same place.*4-node")
+        self.assertNotIn("its own size", said)
+        self.document.Fixed.References = [(self.document.Box, ["Vertex1"])]
+        self.assertRegex(" ".join(map(english, api.solve_analysis(analysis, "ccx")["warnings"])), "the part moved by .* times its own size")
+
+
 class SeveralSolvers(Case):
     def setUp(self):
         super().setUp()

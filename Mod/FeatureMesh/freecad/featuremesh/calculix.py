@@ -19,12 +19,14 @@ import numpy as np
 import ObjectsFem
 from femtools import ccxtools
 
-from . import analyses, frd, modes, parent_process, solvers, statics, statics_model, statics_result, statics_supports, versions
+from . import analyses, frd, modes, parent_process, resolving, solvers, statics, statics_model, statics_result, statics_supports, versions
 from .errors import UserError
+from .hand_over import is_material
 from .messages import said
 from .proxies import type_of
 from .reading import describe
 
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _TOTAL = re.compile(r"total force \(fx,fy,fz\) for set (\S+) and time\s+\S+\s+(\S+)\s+(\S+)\s+(\S+)")
 _ENERGY = re.compile(r"total internal energy for set \S+ and time\s+\S+\s+(\S+)")
 _MASS = re.compile(r"total mass for set \S+ and time\s+\S+\s+(\S+)")
@@ -32,7 +34,12 @@ _ALL = re.compile(r"^\*ELSET,\s*ELSET=(Eall|Evolumes)\s*$", re.MULTILINE | re.IG
 _NODE_FILE = re.compile(r"^\*NODE FILE\nU\n", re.MULTILINE)
 _STATIC = re.compile(r"^\*STATIC\s*$", re.MULTILINE)
 _MANY = 50_000   # unknowns, from which on the iterative solver is faster
+# It looks at the forces that are left, which are small there long before the part has turned as far as it does.
+_HELD_AT_POINTS = "points or edges hold the part, where the iterative solver ends too soon"
 _SHOWN = 3       # lines of what CalculiX says when it fails
+_FLOWN = 100     # times the size of a part, beyond which a displacement is none
+_BY_PLACE = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {where:entities}, which is not on the meshed part {part:text}: CalculiX got what FreeCAD found in the "
+                              "same place, and no edit is followed there; choose faces, edges or vertices of {part:text} instead")
 
 
 def solve(analysis):
@@ -48,14 +55,14 @@ def solve(analysis):
             result = read[0]
         with open(base + "dat", encoding="utf-8") as stream:
             printed = stream.read()
-    total = time.perf_counter() - start
+    found, total = _responses(analysis, result, read is not None, printed, run.solver.AnalysisType), time.perf_counter() - start
     return {"solver": "CalculiX", "matrix_solver": {**run.matrix_solver, "preconditioner": None}, "result": result.Name,
-            "responses": {**_responses(analysis, result, read is not None, printed, run.solver.AnalysisType),
+            "responses": {**found,
                           "reactions_n": read[1] if read is not None else printed_reactions(printed, analysis),
                           "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
                           "strain_energy_mj": printed_strain_energy(printed)},
             "iterations": None, "residual": None, "energy_error": None, "mesh_error": None,
-            "reused": {"preconditioner": False, "start_share": 0.0}, "warnings": run.remarks,
+            "reused": {"preconditioner": False, "start_share": 0.0}, "warnings": run.remarks + _doubts(analysis, found["max_displacement_mm"]),
             "seconds": {**run.seconds, "assemble": 0.0, "setup": 0.0, "stresses": 0.0, "result": total - sum(run.seconds.values()), "total": total}}
 
 
@@ -111,6 +118,20 @@ def remarks(is_solid, solver):
         return []
     return [said("the stresses of shells and beams are those in the middle of the thickness, where bending makes none; switch "
                  "BeamShellResultOutput3D of {solver:text} on for those on the outside", solver=describe(solver))]
+
+
+def _doubts(analysis, moved):
+    """What makes the figures of a mesh of ours doubtful; `moved` is the largest displacement, None of modes."""
+    arrays = _arrays(analysis)
+    if arrays is None:
+        return []
+    resolver = resolving.Resolver(versions.part_of(statics.mesh_of(analysis)))
+    doubts = [said(_BY_PLACE, object=member.Label, where=[resolving.describe(*pair) for pair in foreign], part=describe(resolver.part))
+              for member in analysis.Group if hasattr(member, "References") and not is_material(member) and (foreign := resolver.of_object(member)[1])]
+    size = np.ptp(arrays["points"], axis=0).max()
+    if moved is not None and moved > _FLOWN * size:
+        doubts.append(said("the part moved by {times:number} times its own size: its supports do not hold all of it, or a unit is wrong", times=moved / size))
+    return doubts + (statics.remarks(arrays) if len(arrays["tets"]) else [])
 
 
 def as_arrays(analysis):
@@ -174,9 +195,7 @@ def _why_direct(known):
     if unknowns < _MANY:
         return "few unknowns (%d)" % unknowns
     motions, _, _ = statics_supports.free_motions(known.arrays, statics_supports.held_by_faces(known.arrays, known.held))
-    if motions is None or motions.shape[2]:   # it looks at the sum of the forces that are left, which is small there long before the part has turned as far as it does
-        return "points or edges hold the part, where the iterative solver ends too soon"
-    return None
+    return None if motions is not None and not motions.shape[2] else _HELD_AT_POINTS
 
 
 def _with_solver(text, solver, known):

@@ -1417,6 +1417,10 @@
       <translation>das Bauteil hat kein {place:text}, wo nach einer Zielgröße gefragt ist</translation>
     </message>
     <message>
+      <source>the part moved by {times:number} times its own size: its supports do not hold all of it, or a unit is wrong</source>
+      <translation>das Teil hat sich um das {times:number}-fache seiner Größe bewegt: seine Lager halten nicht alles davon, oder eine Einheit ist falsch</translation>
+    </message>
+    <message>
       <source>the point {point:point}, where a response is asked for, is not in the part</source>
       <translation>der Punkt {point:point}, an dem nach einer Zielgröße gefragt ist, liegt nicht im Bauteil</translation>
     </message>
@@ -1807,6 +1811,10 @@
     <message>
       <source>{object:text} is no refinement zone</source>
       <translation>{object:text} ist keine Verfeinerungszone</translation>
+    </message>
+    <message>
+      <source>{object:text} refers to {where:entities}, which is not on the meshed part {part:text}: CalculiX got what FreeCAD found in the same place, and no edit is followed there; choose faces, edges or vertices of {part:text} instead</source>
+      <translation>{object:text} bezieht sich auf {where:entities}, was nicht am vernetzten Teil {part:text} ist: CalculiX bekam, was FreeCAD am selben Ort fand, und Änderungen folgt es dort nicht; stattdessen Flächen, Kanten oder Punkte von {part:text} wählen</translation>
     </message>
     <message>
       <source>{object:text} shows the mesh of {mesh:text}; give that one</source>
