@@ -225,6 +225,8 @@ class MeshObject(MeshedPlate):
         self.mesh.QualityTarget = 80
         self.document.recompute()
         self.assertIn("QualityTarget", self.mesh.Status)
+        with self.assertRaisesRegex(UserError, "its last update failed: .*QualityTarget"):
+            api.recompute(self.document)
 
     def test_second_order(self):
         self.mesh.Order = "2nd"

@@ -165,6 +165,8 @@ def recompute(document):
         error = recompute_errors.error_of_part(versions.part_of(mesh), found if is_left else found - before)
         if error is not None:
             raise error
+        if mesh.Automatic and mesh in found:
+            raise UserError(mesh.Proxy.why_not_to_solve(mesh))
         if mesh.Report != reports[mesh]:
             seconds -= mesh.Seconds
     return max(seconds, 0.0)
