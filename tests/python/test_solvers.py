@@ -42,9 +42,9 @@ class LoadsAndDensities(Case):
 
 
 class DirectOrIterative(Case):
-    """CalculiX's iterative solver ends before a part has moved as far as it does about supports at points."""
+    """CalculiX's iterative solver ends too soon where points hold a part, or supports move it."""
 
-    def test_a_part_held_at_points_and_edges_is_solved_directly(self):
+    def test_a_part_held_at_points_or_moved_by_supports_is_solved_directly(self):
         part, analysis = self.held_box(8.0)
         fixed = self.document.Fixed
         with mock.patch.object(calculix, "_MANY", 100):
@@ -53,6 +53,11 @@ class DirectOrIterative(Case):
                 self.assertEqual(calculix.solves_iteratively(self.document.Solver, calculix.as_arrays(analysis)), is_iterative, held)
             if shutil.which("ccx"):
                 self.assertRegex(api.solve_analysis(analysis, "ccx")["matrix_solver"]["why"], "points or edges hold the part")
+            fixed.References = [(part, faces_at(part, 0, 0))]
+            moved = self.add(analysis, ObjectsFem.makeConstraintDisplacement, "Moved", [(part, faces_at(part, 0, 40))], xFree=False)
+            for far, is_iterative in ((0, True), (0.5, False)):
+                moved.xDisplacement = far
+                self.assertEqual(calculix.solves_iteratively(self.document.Solver, calculix.as_arrays(analysis)), is_iterative, far)
 
 
 @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")

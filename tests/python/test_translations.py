@@ -35,7 +35,7 @@ NO_SENTENCE = re.compile(r"^\s*<|</|^\.?[a-z]*\{|^\*|^\^|^\n:root \{|^\ncreate t
                          r"^total (force|internal|mass)|^(interaction changed|trimmed differently|before and after|the inside|disk full|disk is full|readonly database|"
                          r"unable to open|thin-plate spline|From shape|Unless larger than a million elements|"
                          r"cancelled)$|^background-color|FeatureMesh, lengths in mm|^FIELD |^conjugate gradients|"
-                         r"CalculiX's own choice|^few unknowns|^points or edges hold|unknowns, linear statics|^the solver object|a state holds plain numbers|^a plane is|"
+                         r"CalculiX's own choice|^few unknowns|^points or (edges|faces)|unknowns, linear statics|^the solver object|a state holds plain numbers|^a plane is|"
                          r"the base document did not arrive whole|do not tell the terms apart|^Place of a response|^of unknown version")
 
 

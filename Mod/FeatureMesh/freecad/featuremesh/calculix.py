@@ -35,6 +35,7 @@ _NODE_FILE = re.compile(r"^\*NODE FILE\nU\n", re.MULTILINE)
 _STATIC = re.compile(r"^\*STATIC\s*$", re.MULTILINE)
 _MANY = 50_000   # unknowns, from which on the iterative solver is faster
 # It looks at the forces that are left, which are small there long before the part has turned as far as it does.
+_MOVED = "points or faces are moved, and the iterative solver ends too soon"
 _HELD_AT_POINTS = "points or edges hold the part, where the iterative solver ends too soon"
 _SHOWN = 3       # lines of what CalculiX says when it fails
 _FLOWN = 100     # times the size of a part, beyond which a displacement is none
@@ -194,6 +195,8 @@ def _why_direct(known):
     unknowns = 3 * len(known.arrays["points"])
     if unknowns < _MANY:
         return "few unknowns (%d)" % unknowns
+    if known.given.any():
+        return _MOVED
     motions, _, _ = statics_supports.free_motions(known.arrays, statics_supports.held_by_faces(known.arrays, known.held))
     return None if motions is not None and not motions.shape[2] else _HELD_AT_POINTS
 
