@@ -36,7 +36,8 @@ def run_script(script, variables, lines_to=None, inherited=()):
     """
     with tempfile.TemporaryDirectory(prefix="featuremesh-", ignore_cleanup_errors=True) as folder:
         result_file, log_file = Path(folder) / "result.json", Path(folder) / FREECAD_LOG.name
-        environment = freecad_environment(FEATUREMESH_RESULT=str(result_file), **{"TMPDIR": folder, **variables})
+        # FREECAD_USER_TEMP: else each run leaves the folder that FreeCAD has for a document in the user's cache.
+        environment = freecad_environment(FEATUREMESH_RESULT=str(result_file), FREECAD_USER_TEMP=folder, **{"TMPDIR": folder, **variables})
         command = [freecadcmd(), str(script), f"--module-path={WORKBENCH}"]
         with open(log_file, "w", encoding="utf-8") as log, subprocess.Popen(
                 command, env=environment, stdin=subprocess.DEVNULL, stdout=log, stderr=subprocess.PIPE,

@@ -190,7 +190,7 @@ class FreecadTask(unittest.TestCase):
 
     def test_temporary_files_are_gone_afterwards_and_have_a_folder_in_any_case(self):
         with mock.patch.dict(os.environ, TMPDIR="/no/such/folder"), mock.patch.object(tempfile, "tempdir", None):
-            made = self.run_with("""echo "{\\"path\\": \\"$TMPDIR\\"}" > $FEATUREMESH_RESULT; touch $TMPDIR/left""")["path"]
+            made = self.run_with("""echo "{\\"path\\": \\"$FREECAD_USER_TEMP\\"}" > $FEATUREMESH_RESULT; touch $TMPDIR/left $FREECAD_USER_TEMP/left""")["path"]
             self.assertFalse(os.path.exists(made))
             self.assertEqual(freecad_task.freecad_environment()["TMPDIR"], tempfile.gettempdir())
             self.assertTrue(made.startswith(tempfile.gettempdir()))

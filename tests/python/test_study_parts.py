@@ -432,11 +432,12 @@ class Running(unittest.TestCase):
             program = os.path.join(folder, "stuck")
             with open(program, "w", encoding="utf-8") as stream:
                 stream.write("#!%s\nimport json, os, time\nsaid = json.loads(os.environ['FEATUREMESH_STUDY_WORKER'])\n"
-                             "os.write(said['answers'], b'{\"ready\": 1}\\n')\ntime.sleep(1000)\n" % sys.executable)
+                             "os.write(said['answers'], json.dumps({'ready': 1, 'cache': os.environ['FREECAD_USER_TEMP']}).encode() + b'\\n')\ntime.sleep(1000)\n" % sys.executable)
             os.chmod(program, 0o755)
             worker = worker_process.WorkerProcess(program, dict(os.environ), {"seconds_limit": 20.0}, os.path.join(folder, "log"))
             try:
-                self.assertEqual(worker.answer(), {"ready": 1})
+                cache = worker.answer()["cache"]
+                self.assertTrue(os.path.isdir(cache))
                 self.assertFalse(worker.is_overdue())
                 worker._limit = 0.2
                 worker.send({"id": 1})
@@ -445,6 +446,7 @@ class Running(unittest.TestCase):
                 self.assertTrue(worker.is_overdue())
             finally:
                 worker.end()
+            self.assertFalse(os.path.exists(cache))
 
     def test_an_interrupt_between_two_lines_loses_no_case(self):
         """It comes when the database has just heard that a case begins, or is done; a worker that is no FreeCAD."""

@@ -11,6 +11,8 @@ import signal
 import sys
 import traceback
 
+import FreeCAD
+
 
 def main():
     """Begins the study, or goes on with it, and runs what waits. How it ended is in the folder's run.json."""
@@ -32,6 +34,8 @@ def main():
         traceback.print_exc()
         state, message = "failed", of_error(error)
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    for name in FreeCAD.listDocuments():   # else what FreeCAD has of them stays in its cache
+        FreeCAD.closeDocument(name)
     with whole_file.written(os.path.join(said["folder"], "run.json")) as stream:
         json.dump({"state": state, "message": message}, stream)
 

@@ -6,6 +6,7 @@ import os
 import select
 import signal
 import subprocess
+import tempfile
 import time
 
 from ..errors import Said
@@ -31,11 +32,13 @@ class WorkerProcess:
         self._limit = settings["seconds_limit"] + _GRACE
         theirs_in, ours_out = os.pipe()
         ours_in, theirs_out = os.pipe()
+        self._cache = tempfile.TemporaryDirectory(prefix="featuremesh-", ignore_cleanup_errors=True)   # of FreeCAD, which is not let end by itself
         said = {**settings, "requests": theirs_in, "answers": theirs_out, "parent": os.getpid()}
         with open(log_path, "wb") as log:
             self._process = subprocess.Popen(
                 [command, WORKER_SCRIPT], stdin=subprocess.DEVNULL, stdout=log, stderr=log, pass_fds=(theirs_in, theirs_out),
-                start_new_session=True, env={**environment, "FEATUREMESH_STUDY_WORKER": json.dumps(said), "OMP_NUM_THREADS": "1"})
+                start_new_session=True, env={**environment, "FEATUREMESH_STUDY_WORKER": json.dumps(said), "OMP_NUM_THREADS": "1",
+                                             "FREECAD_USER_TEMP": self._cache.name})
         os.close(theirs_in)
         os.close(theirs_out)
         self._out = os.fdopen(ours_out, "w", encoding="utf-8")
@@ -88,6 +91,7 @@ class WorkerProcess:
         kill_session(self._process.pid)
         self._process.wait()
         os.close(self._in)
+        self._cache.cleanup()
         try:
             self._out.close()
         except OSError:
