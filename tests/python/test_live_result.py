@@ -331,6 +331,18 @@ class Live(Case):
         self.assertEqual([line for line in told if live.Label in line],
                          [nothing, "%s: the part can still turn about y: add a support\n" % live.Label, nothing])
 
+    def test_a_part_without_a_load_says_so_once(self):
+        part, analysis, live = self.cantilever()
+        told = []
+        with mock.patch.object(live_result.FreeCAD, "Console", mock.Mock(wraps=FreeCAD.Console, PrintWarning=told.append)):
+            analysis.removeObject(self.document.Force)
+            for length in (41, 42):
+                part.Length = length
+                self.document.recompute()
+        self.assertEqual(live.Status, live_result.UP_TO_DATE)
+        self.assertEqual([line for line in told if live.Label in line],
+                         ["%s: nothing loads the part: add a force, a pressure or another load to the analysis\n" % live.Label])
+
     def test_mesh_that_is_out_of_date_is_not_solved(self):
         part, analysis, live = self.cantilever()
         self.document.FeatureMesh.Automatic = False
@@ -356,6 +368,11 @@ class Live(Case):
             live = self.document.Live
             self.assertEqual((live.Status, live.MaxMises, contents(live.Result.Mesh.FemMesh)), (live_result.UP_TO_DATE, largest, found))
             self.assertAlmostEqual(live.Proxy.shown(live).von_mises.max(), largest, places=9)
+            self.document.UndoMode = 1
+            self.document.openTransaction("A panel that changes nothing of it")
+            self.document.Box.Label = "Beam"
+            self.document.abortTransaction()
+            self.assertEqual(live.Status, live_result.UP_TO_DATE)
             self.document.Box.Length = 44
             self.document.recompute()
             self.check_is_fresh(self.document.Analysis, live)

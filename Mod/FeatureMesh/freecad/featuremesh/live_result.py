@@ -141,7 +141,7 @@ class LiveResult(Stateless):
         analysis = self._own_analysis(live)
         if self.solution is not None:
             self.before = self.solution
-        self.solution, self.is_fresh, self.told = Solution(job.statics.arrays, job.fields), True, ""
+        self.solution, self.is_fresh = Solution(job.statics.arrays, job.fields), True
         for hook in on_solution:
             hook(live)
         was_touched, start = "Touched" in analysis.State, time.perf_counter()
@@ -153,6 +153,7 @@ class LiveResult(Stateless):
         live.MaxMises, live.MaxDisplacement, live.Seconds = found["max_mises_mpa"], found["max_displacement_mm"], job.report["seconds"]["total"]
         live.Report, live.SolvedState = json.dumps(job.report, sort_keys=True), job.state
         self.set_status(live, UP_TO_DATE)
+        self._say(live, "" if live.MaxDisplacement else "\n".join(map(user_words.in_words, job.report["warnings"])))   # nothing moves, and why
         live.purgeTouched()
         if not was_touched:
             analysis.purgeTouched()
@@ -168,8 +169,10 @@ class LiveResult(Stateless):
         asks for them."""
         if any(map(references.is_being_edited, live.Members)):
             return
-        words = user_words.in_words(messages.of_error(error))
-        if words != self.told:
+        self._say(live, user_words.in_words(messages.of_error(error)))
+
+    def _say(self, live, words):
+        if words and words != self.told:
             FreeCAD.Console.PrintWarning("%s: %s\n" % (live.Label, words))
         self.told = words
 
@@ -210,12 +213,14 @@ class LiveResult(Stateless):
         if result is None or result.Mesh is None or mesh is None or live.SolvedState != mesh.Proxy.state_of_mesh(mesh):
             return
         if (result.Mesh.FemMesh.NodeCount, result.Mesh.FemMesh.VolumeCount) == (mesh.NodeCount, mesh.TetCount):
+            self.of_state = live.SolvedState
             return
         untouched = [obj for obj in (result.Mesh, result, self.analysis(live)) if obj is not None and "Touched" not in obj.State]
         try:
             statics_result.put_mesh(result, mesh.Proxy.arrays(mesh))
         except StateError:
             return   # the mesh's own object says so
+        self.of_state = live.SolvedState
         for obj in untouched:
             obj.purgeTouched()
         choose_form(result.Mesh, is_saved=True)
@@ -257,7 +262,7 @@ class LiveResult(Stateless):
         self.solution = None   # the last Solution
         self.before = None     # the one before
         self.is_fresh = False  # is it that of the part as it is?
-        self.told = ""         # why there is no result, as it was said last
+        self.told = ""         # why there is no result, or why nothing moves, as it was said last
         self.motion = None     # (n,3) how the part can move, where the last attempt found that
 
     def _get_ready(self, live):

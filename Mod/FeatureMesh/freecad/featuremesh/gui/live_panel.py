@@ -45,13 +45,12 @@ class LivePanel(ClosesWithObject):
         self.cut.filled.hide()   # colours go from node to node
         layout = QtGui.QVBoxLayout(self.form)
         narrow.margins(layout)
-        layout.addWidget(self.status)
-        layout.addWidget(self.bar)
-        layout.addWidget(self.button)
-        layout.addLayout(self._fields_in_a_form())
         self.ten_nodes = QtGui.QPushButton(translate("FeatureMesh", "Use 10-node tetrahedra"))
         self.ten_nodes.clicked.connect(self._take_ten_nodes)
-        for widget in (self.legend, self.grey, self.largest, self.cut, self.remarks, self.ten_nodes):
+        for widget in (self.status, self.remarks, self.ten_nodes, self.bar, self.button):
+            layout.addWidget(widget)
+        layout.addLayout(self._fields_in_a_form())
+        for widget in (self.legend, self.grey, self.largest, self.cut):
             layout.addWidget(widget)
         wheel.scrolls(self.form)
         self._set_fields()
@@ -74,6 +73,7 @@ class LivePanel(ClosesWithObject):
         report = json.loads(live.Report or "{}")
         is_fresh = live.Proxy.is_fresh
         self.remarks.setText("\n".join(user_words.in_words(line) for line in report.get("warnings", [])) if is_fresh else "")
+        self.remarks.setVisible(bool(self.remarks.text()))
         mesh = live.Proxy.mesh(live)
         self.ten_nodes.setVisible(mesh is not None and mesh.Order == "1st")
         if not self.top.hasFocus():   # while it is being typed
