@@ -180,6 +180,9 @@ class SeveralSolvers(Case):
             self.assertEqual(live.Status, live_result.UP_TO_DATE)
             self.assertNotEqual(solution.figures["displacement"], live.MaxDisplacement)   # of six digits in CalculiX's file
             self.assertAlmostEqual(solution.figures["displacement"] / live.MaxDisplacement, 1, delta=1e-4)
+        before = live.Result
+        api.solve_analysis(self.of_the_box, "ccx")
+        self.assertEqual((live.Status, live.Result), (live_result.UP_TO_DATE, before))
 
     @unittest.skipUnless(HAS_SOLVER and shutil.which("ccx"), "PETSc or CalculiX is not installed")
     def test_a_part_that_can_move_is_refused_but_for_its_modes(self):

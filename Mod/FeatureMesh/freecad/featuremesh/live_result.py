@@ -13,6 +13,7 @@ from .messages import said
 from .mesh_properties import UP_TO_DATE, choose_form, failed, is_saved_for_freecad
 from .proxies import Stateless, add_missing
 from .reading import describe
+from .wrapping import wrap
 
 translate = FreeCAD.Qt.translate
 # Kept in documents as they are; shown in the user's language by status_in_words.
@@ -351,6 +352,19 @@ def _watch():
         FreeCAD.addDocumentObserver(_observer)
         mesh_object.on_new_mesh.append(_begin_early)
         recompute_errors.watch(_fail)
+        wrap("femresult.resulttools", None, "purge_results", _keep_from_purge)
+
+
+def _keep_from_purge(purge, analysis):
+    """FEM removes the results of an analysis before it solves; that of a live result is none of those."""
+    kept = [live.Result for live in filter(is_live_result, analysis.Group) if live.Result is not None]
+    for result in kept:
+        analysis.removeObject(result)
+    try:
+        purge(analysis)
+    finally:
+        for result in kept:
+            analysis.addObject(result)
 
 
 class _Observer:
