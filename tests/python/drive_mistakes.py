@@ -13,6 +13,7 @@ import FreeCADGui as Gui  # noqa: E402
 import Mesh  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
+from PySide import QtGui  # noqa: E402
 from window import answer_with, click_in_panel, figures, panel, picture, spin, wait_for  # noqa: E402
 
 
@@ -177,7 +178,7 @@ def check_which_analysis(document, body):
 
 def check_result_without_material():
     """A live result that was never solved shows nothing: the mesh is seen again after FEM's panel of a material, and after its own."""
-    from freecad.featuremesh import api
+    from freecad.featuremesh import api, engine
     document = FreeCAD.newDocument("NoMaterial")
     box = document.addObject("Part::Box", "Box")
     document.recompute()
@@ -200,7 +201,27 @@ def check_result_without_material():
         wait_for(lambda: not Gui.Control.activeDialog(), 20)
         spin(0.5)
         assert mesh.ViewObject.Visibility and not box.ViewObject.Visibility, obj.Name
+    if not engine.load().statics_missing():
+        check_result_is_seen_with_what_was_missing(document, material, mesh)
     FreeCAD.closeDocument(document.Name)
+
+
+def check_result_is_seen_with_what_was_missing(document, material, mesh):
+    """Also where nothing is drawn of it while FEM's panel of a support asks for faces, and the mesh is shown meanwhile."""
+    from statics_cases import STEEL
+    live = document.Live
+    material.Material = STEEL
+    document.recompute()
+    wait_for(lambda: "add a support" in live.Status and not mesh.ViewObject.Visibility, 30)
+    Gui.runCommand("FEM_ConstraintFixed")
+    spin(0.5)
+    window.click(next(button for button in Gui.getMainWindow().findChildren(QtGui.QToolButton) if button.objectName() == "btnAdd" and button.isVisible()))
+    select((document.Box, "Face6"))
+    spin(0.5)
+    click_in_panel("Ok")
+    wait_for(lambda: live.Status == "up to date", 30)
+    spin(0.5)
+    assert live.ViewObject.Visibility and not mesh.ViewObject.Visibility
 
 
 def check_mesh_of_another_maker():

@@ -80,7 +80,7 @@ class ViewLiveResult(DrawnByUs):
         self._uncover(live)
 
     def _uncover(self, live):
-        if self._is_to_be_alone and self._drawn is not None:
+        if self._is_to_be_alone and self._drawn is not None and live.ViewObject.Visibility:
             self._is_to_be_alone = False
             showing.show_result(live)
 
@@ -88,10 +88,11 @@ class ViewLiveResult(DrawnByUs):
         """Draws the solution as the settings say, or how the part can move where that is why there is none."""
         if not hasattr(live.Proxy, "solution"):
             return   # the document is being opened
-        self._drawn, self._drawn_from = self._overlay(live), self._to_draw(live)
+        before, self._drawn, self._drawn_from = self._drawn, self._overlay(live), self._to_draw(live)
         if self._elements is None:
             self._elements = ElementView(live.ViewObject.RootNode)
         if self._drawn is None:
+            self._is_to_be_alone |= before is not None   # the mesh may be shown meanwhile
             self._elements.end()
             return
         self._elements.show(self._drawn, self.settings.plane)
