@@ -222,6 +222,13 @@ def check_result_is_seen_with_what_was_missing(document, material, mesh):
     wait_for(lambda: live.Status == "up to date", 30)
     spin(0.5)
     assert live.ViewObject.Visibility and not mesh.ViewObject.Visibility
+    material.Material = {}
+    document.recompute()
+    wait_for(lambda: "Material" in live.Status, 30)
+    document.removeObject(mesh.Name)
+    document.recompute()
+    wait_for(lambda: "Material" not in live.Status, 30)
+    assert live.ViewObject.Proxy.drawn is None   # the part is seen
 
 
 def check_mesh_of_another_maker():

@@ -101,7 +101,7 @@ class ViewLiveResult(DrawnByUs):
         self._elements.mark(self._drawn.points[[row]] if row is not None else (), (), _MARK)
 
     def _to_draw(self, live):
-        return live.Proxy.solution, live.Proxy.before, live.Proxy.motion, live.Proxy.is_fresh, self.settings
+        return live.Proxy.solution, live.Proxy.before, live.Proxy.motion, live.Proxy.is_fresh, live.Proxy.mesh(live) is None, self.settings
 
     def _is_drawn(self, live):
         """Would drawing it again show the same?"""
