@@ -222,6 +222,12 @@ def check_result_is_seen_with_what_was_missing(document, material, mesh):
     wait_for(lambda: live.Status == "up to date", 30)
     spin(0.5)
     assert live.ViewObject.Visibility and not mesh.ViewObject.Visibility
+    for change, is_seen in ((document.Analysis.removeObject, True), (document.Analysis.addObject, False)):   # as dragged in the tree
+        change(mesh)
+        document.recompute()
+        wait_for(lambda: (live.Status != "up to date") == is_seen, 30)
+        spin(0.5)
+        assert mesh.ViewObject.Visibility == is_seen
     material.Material = {}
     document.recompute()
     wait_for(lambda: "Material" in live.Status, 30)

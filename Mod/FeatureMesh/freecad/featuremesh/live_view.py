@@ -40,6 +40,7 @@ class ViewLiveResult(DrawnByUs):
         self._drawn = None
         self._drawn_from = ()   # what was drawn last
         self._is_to_be_alone = False
+        self._mesh_name = ""    # of what was drawn last
         view.addDisplayMode(coin.SoGroup(), self.mode)
 
     def getIcon(self):
@@ -92,13 +93,22 @@ class ViewLiveResult(DrawnByUs):
         if self._elements is None:
             self._elements = ElementView(live.ViewObject.RootNode)
         if self._drawn is None:
-            self._is_to_be_alone |= before is not None   # the mesh may be shown meanwhile
             self._elements.end()
+            if before is not None:
+                self._give_way(live)
             return
+        self._mesh_name = live.Proxy.mesh(live).Name
         self._elements.show(self._drawn, self.settings.plane)
         self._uncover(live)
         row = self._drawn.largest()
         self._elements.mark(self._drawn.points[[row]] if row is not None else (), (), _MARK)
+
+    def _give_way(self, live):
+        """Until there is something to see of it again the mesh may be shown; where that was taken out of the analysis it is."""
+        self._is_to_be_alone = True
+        mesh = live.Document.getObject(self._mesh_name)
+        if mesh is not None and live.Proxy.mesh(live) is None and live.ViewObject.Visibility:
+            showing.show_where_nothing_is_seen(mesh)
 
     def _to_draw(self, live):
         return live.Proxy.solution, live.Proxy.before, live.Proxy.motion, live.Proxy.is_fresh, live.Proxy.mesh(live) is None, self.settings

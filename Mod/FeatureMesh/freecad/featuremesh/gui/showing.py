@@ -43,8 +43,14 @@ def show_to_click(obj):
 def show_unless_seen(obj):
     """Shows the mesh that an FEM object belongs to where FEM's panel, which hides meshes and shows parts for its time, has left nothing to see in its place."""
     for mesh in api.meshes_of(obj.Document):
-        if _is_about(obj, mesh) and not any(map(_is_seen, (mesh, *what_covers(mesh)))):
-            mesh.ViewObject.Visibility = True
+        if _is_about(obj, mesh):
+            show_where_nothing_is_seen(mesh)
+
+
+def show_where_nothing_is_seen(mesh):
+    """Shows the mesh where neither it nor anything in its place is seen."""
+    if not any(map(_is_seen, (mesh, *what_covers(mesh)))):
+        mesh.ViewObject.Visibility = True
 
 
 def show_elements(mesh):
