@@ -147,6 +147,8 @@ def check_purged(document, live):
         Gui.runCommand("FEM_SolverRun", 0)
         wait_for(lambda: live.Status == "up to date" and live.Result is not None)
         spin(1)
+        results = [obj for obj in document.Analysis.Group if obj.isDerivedFrom("Fem::FemResultObject")]
+        assert len(results) == 2 and live.Visibility and not any(result.Mesh.Visibility for result in results), results
         undo_and_redo(1)
     window.delete(*api.meshes_of(document))
     wait_for(lambda: live.Status.startswith("failed"))

@@ -96,8 +96,8 @@ def refuse_failure(code, words):
 
 
 def read_by_freecad(tools, analysis):
-    """The result object that FreeCAD makes of CalculiX's files, of several that which came last. FreeCAD removes all of them before, and recomputes afterwards: a
-    live result of the analysis then makes its own anew, behind those. Throws UserError where there is none."""
+    """The result object that FreeCAD makes of CalculiX's files, of several that which came last; that of a live result is none of them. Throws UserError where
+    there is none."""
     tools.load_results()
     of_live = [member.Result for member in analysis.Group if type_of(member) == statics_model.LIVE_RESULT]
     result = next((member for member in reversed(analysis.Group) if member.isDerivedFrom("Fem::FemResultObject") and member not in of_live), None)

@@ -157,7 +157,13 @@ class _Observer:
 
 
 def _hide_what_it_covers(obj):
-    """Of the live results of an analysis and what FreeCAD draws of its results, in the same place, that is seen which was shown last."""
+    """Of the live results of an analysis and what FreeCAD draws of its results, in the same place, that is seen which was shown last; of a new result of
+    CalculiX there is its bare mesh alone, which FEM's panel of results colours."""
+    if obj.isDerivedFrom("Fem::FemResultObject"):
+        above = _analyses_above(obj)
+        if obj.Mesh is not None and any(live.Visibility and above & _analyses_above(live) for live in filter(is_live_result, obj.Document.Objects)):
+            _set_visible([obj.Mesh], False)
+        return
     is_drawn = obj.isDerivedFrom(_POST)
     if obj.Visibility and (is_drawn or is_live_result(obj)):
         holding = _analyses_above(obj)
