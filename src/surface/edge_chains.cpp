@@ -38,6 +38,7 @@ class Measure {
     }
 
     double metric_length() const { return metric_.back(); }
+    double arc_length() const { return arc_length_; }
     double turning() const { return turning_; }
     bool is_line() const { return is_line_; }
 
@@ -64,12 +65,14 @@ class Measure {
         const double offset = 0.5 / std::sqrt(3.0);
         double sum = 0;
         std::array<Vec3, 2> directions;
+        std::array<double, 2> lengths;
         for (const int i : {0, 1}) {
             gp_Pnt p;
             gp_Vec d;
             curve_.D1(start + (0.5 + (i == 0 ? -offset : offset)) * (end - start), p, d);
             directions[static_cast<std::size_t>(i)] = {d.X(), d.Y(), d.Z()};
-            sum += 0.5 * d.Magnitude() * (end - start) / std::max(sizing_.at(to_vec3(p)), least_length_);
+            lengths[static_cast<std::size_t>(i)] = 0.5 * d.Magnitude() * (end - start);
+            sum += lengths[static_cast<std::size_t>(i)] / std::max(sizing_.at(to_vec3(p)), least_length_);
         }
         const bool is_even = is_line_ && sizing_.is_uniform();
         if (sum > 0.5 && depth < 12 && !is_even) {
@@ -79,6 +82,7 @@ class Measure {
         }
         for (const Vec3& direction : directions) turn_to(direction);
         t_.push_back(start);
+        arc_length_ += lengths[0] + lengths[1];
         metric_.push_back(metric_.back() + sum);
     }
 
@@ -93,6 +97,7 @@ class Measure {
     const WantedLength& sizing_;
     bool is_line_;
     double least_length_;  ///< of a loosely fitted edge: pieces shorter than it is known follow its loops
+    double arc_length_ = 0;
     double turning_ = 0;
     Vec3 last_direction_{};
     std::vector<double> t_, metric_{0};  ///< at the steps' ends
@@ -178,10 +183,22 @@ class VertexNodes {
 };
 
 /// Fewest pieces by which a whole edge stays a curve of its own: a quarter turn at most per piece, a closed one three.
-int fewest_pieces(const Measure& measure, bool is_closed, bool has_twin) {
+int fewest_pieces(const Measure& measure, bool is_closed) {
     const int by_turning = static_cast<int>(std::ceil(measure.turning() / (0.5 * M_PI) - 0.05));
-    const int by_closure = is_closed ? 3 : has_twin && !measure.is_line() ? 2 : 1;
-    return std::max({1, by_turning, by_closure});
+    return std::max(is_closed ? 3 : 1, by_turning);
+}
+
+/// Whether one piece of a whole edge would be the same segment as one piece of another. One that is twice as long as
+/// the shorter one turns so far that it has two pieces anyway.
+bool is_beside_twin(EdgeId edge, const Measure& measure, const std::vector<EdgeId>& twins, const Brep& brep,
+                    const WantedLength& sizing) {
+    if (measure.is_line()) return false;
+    return std::any_of(twins.begin(), twins.end(), [&](EdgeId twin) {
+        if (twin == edge) return false;
+        const BRepAdaptor_Curve curve(brep.edge(twin));
+        const Measure other(curve, sizing, curve.FirstParameter(), curve.LastParameter());
+        return other.arc_length() < 2 * measure.arc_length();
+    });
 }
 
 /// A vertex beyond the edge's end is not found as a node of the edge: alone with the other end it would leave no piece
@@ -255,15 +272,15 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
       vertex_nodes_(VertexNodes(brep, merged, mesh).make()) {
     const KeptOnEdges kept = kept_on_edges(brep, mesh);
     const std::size_t first_new_node = mesh.node_count();
-    std::map<std::array<NodeId, 2>, int> between;
+    std::map<std::array<NodeId, 2>, std::vector<EdgeId>> between;
     const auto shared_ends = [&](EdgeId edge) {
         const auto [first, last] = brep.ends_of(edge);
         const auto node = [&](VertexId v) { return v.is_valid() ? node_of(v) : NodeId(); };
         return std::array<NodeId, 2>{std::min(node(first), node(last)), std::max(node(first), node(last))};
     };
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
-        if (merged.edge_of[e] != EdgeId(e) || merged.is_point[e]) continue;
-        ++between[shared_ends(EdgeId(e))];
+        if (merged.edge_of[e] != EdgeId(e) || merged.is_point[e] || brep.is_degenerated(EdgeId(e))) continue;
+        between[shared_ends(EdgeId(e))].emplace_back(e);
     }
     std::vector<EdgeId> followers;
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
@@ -302,9 +319,13 @@ EdgeChains::EdgeChains(const Brep& brep, const MergedEntities& merged, const Wan
                 continue;
             }
             const Measure measure(*curve, sizing, base.t[i], base.t[i + 1]);
-            const int fewest = fewest_pieces(measure, is_whole && nodes[0] == nodes[1], is_whole && between[nodes] > 1);
+            int fewest = fewest_pieces(measure, is_whole && nodes[0] == nodes[1]);
+            if (fewest == 1 && is_whole && is_beside_twin(edge, measure, between[nodes], brep, sizing)) fewest = 2;
             int pieces = std::max(fewest, rounded(measure.metric_length()));
-            if (pieces == 1 && is_whole && (misses_vertex(brep, edge) || ends_at_close(brep.edge(edge)))) pieces = 2;
+            constexpr double least_divided = 0.1;  // wanted lengths; no load is worth the elements at shorter halves
+            if (pieces == 1 && is_whole && measure.metric_length() > least_divided &&
+                (misses_vertex(brep, edge) || ends_at_close(brep.edge(edge))))
+                pieces = 2;
             std::vector<double> parameters;
             if (!others.empty())
                 parameters = parameters_beside(brep, sizing, edge, {base.t[i], base.t[i + 1]}, others, stops, mesh);
@@ -346,7 +367,7 @@ std::vector<double> EdgeChains::parameters_beside(const Brep& brep, const Wanted
         }
         if (!is_even) {
             const Measure measure(curve, sizing, begin, end);
-            inner = measure.at_shares(std::max(fewest_pieces(measure, false, false), rounded(measure.metric_length())));
+            inner = measure.at_shares(std::max(fewest_pieces(measure, false), rounded(measure.metric_length())));
         }
         parameters.insert(parameters.end(), inner.begin(), inner.end());
         begin = end;

@@ -61,9 +61,10 @@ TopoDS_Shape touching_trough() {
 }
 
 /// A prism over a rectangle one of whose sides is two edges, the first of which ends before the vertex between them.
-TopoDS_Shape prism_with_gap(double gap) {
+TopoDS_Shape prism_with_gap(double gap, double length = 10) {
     BRepBuilderAPI_MakePolygon outline;
-    for (const gp_Pnt& p : {gp_Pnt(0, 0, 0), gp_Pnt(10, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(20, 15, 0), gp_Pnt(0, 15, 0)})
+    for (const gp_Pnt& p :
+         {gp_Pnt(0, 0, 0), gp_Pnt(length, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(20, 15, 0), gp_Pnt(0, 15, 0)})
         outline.Add(p);
     outline.Close();
     const TopoDS_Shape prism =
@@ -72,7 +73,7 @@ TopoDS_Shape prism_with_gap(double gap) {
     const BRep_Builder builder;
     for (std::size_t e = 0; e < brep.edge_count(); ++e) {
         const auto ends = brep.ends_of(EdgeId(e));
-        if (!(brep.point_of(ends[0]) == Vec3{0, 0, 0}) || !(brep.point_of(ends[1]) == Vec3{10, 0, 0})) continue;
+        if (!(brep.point_of(ends[0]) == Vec3{0, 0, 0}) || !(brep.point_of(ends[1]) == Vec3{length, 0, 0})) continue;
         double first, last;
         BRep_Tool::Range(brep.edge(EdgeId(e)), first, last);
         builder.Range(brep.edge(EdgeId(e)), first, last - gap);
@@ -121,6 +122,43 @@ TEST_CASE("an edge that ends before its vertex has a node of its own, so that a 
     const std::vector<Vec3> with_gap = nodes_on_edges(4e-6);
     REQUIRE(with_gap.size() == 1);
     CHECK(with_gap[0].x == Approx(5));
+}
+
+TEST_CASE("a tiny edge stays in one piece, whatever would halve a longer one") {
+    const auto is_tiny_edge_whole = [](const TopoDS_Shape& shape, double size, const Box& around) {
+        const Brep brep(shape);
+        const Mesh mesh = mesh_surface(brep, size).mesh;
+        CHECK(surface_findings(brep, mesh).empty());
+        CHECK(euler_characteristic(mesh) == 2);
+        for (std::size_t n = 0; n < mesh.node_count(); ++n)
+            if (mesh.entities[n].dim == 1 && around.contains(mesh.points[n])) return false;
+        return true;
+    };
+
+    SECTION("which ends before its vertex") {
+        const auto is_whole = [&](double length) {
+            Box around;
+            around.add(Vec3{0, 0, 0}), around.add(Vec3{length, 0, 0});
+            return is_tiny_edge_whole(prism_with_gap(4e-6, length), 12, around);
+        };
+        CHECK_FALSE(is_whole(5));
+        CHECK(is_whole(0.02));
+    }
+    SECTION("beside another that is a far longer way between the same vertices") {
+        const gp_Pnt left(0, 0, 0), right(10, 0, 0);
+        const auto prism_between = [&](double below, double above) {
+            BRepBuilderAPI_MakeWire outline;
+            for (const double height : {-below, above}) {
+                const gp_Pnt middle(5, height, 0);
+                outline.Add(BRepBuilderAPI_MakeEdge(GC_MakeArcOfCircle(left, middle, right).Value()).Edge());
+            }
+            return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 60)).Shape();
+        };
+        Box around;
+        around.add(Vec3{0, -1, 0}), around.add(Vec3{10, 0, 0});
+        CHECK(is_tiny_edge_whole(prism_between(0.3, 200), 30, around));
+        CHECK_FALSE(is_tiny_edge_whole(prism_between(0.3, 1), 30, around));
+    }
 }
 
 TEST_CASE("an edge that ends at the close of a curve has a node of its own") {
