@@ -236,7 +236,8 @@ class AngleMender {
     }
 
     /// Takes the filling where some place is better and none worse. False where nothing can be kept beside the places,
-    /// or there is no room for more tets.
+    /// or they cannot be filled so (nor could they with more around them in any of 160 parts), or there is no room for
+    /// more tets.
     bool fill_again(const std::vector<Place>& places, std::vector<SmallTet>& small) {
         std::vector<SizeSource> sources = sources_;
         for (const Place& place : places)
@@ -250,11 +251,11 @@ class AngleMender {
         const std::size_t kept_tets = kept.mesh.tets.size(), first_round = rounds_.size();
         auto filled = fill_part(brep_, shorter, std::move(kept), options_, sources, rounds_, context_);
         auto* again = std::get_if<Filled>(&filled);
-        const std::size_t tets = again ? again->mesh.tets.size() : filled_.mesh.tets.size();
+        if (!again) return false;
+        const std::size_t tets = again->mesh.tets.size();
         filled_tets_ += (tets - std::min(tets, kept_tets)) * (1 + rounds_.size() - first_round);
-        if (again && origin_)
-            origin = through(*origin_, origin_of(*again, std::move(origin), filled_.mesh, tets, context_));
-        auto now = small_tets_of(again, origin_ ? &origin : nullptr);
+        if (origin_) origin = through(*origin_, origin_of(*again, std::move(origin), filled_.mesh, tets, context_));
+        auto now = small_tets_of(*again, origin_ ? &origin : nullptr);
         if (!is_gain(places, small, now ? *now : small)) return double(tets) <= most_tets_ || ask_for_longer();
         has_gained_ = true;
         small = *std::move(now);
@@ -273,9 +274,9 @@ class AngleMender {
     }
 
     /// None where it is no mesh that may be taken.
-    std::optional<std::vector<SmallTet>> small_tets_of(const Filled* again, const MeshOrigin* origin) const {
-        if (!again || !again->why_straight.empty() || double(again->mesh.tets.size()) > most_tets_) return std::nullopt;
-        return small_tets(again->mesh, origin);
+    std::optional<std::vector<SmallTet>> small_tets_of(const Filled& again, const MeshOrigin* origin) const {
+        if (!again.why_straight.empty() || double(again.mesh.tets.size()) > most_tets_) return std::nullopt;
+        return small_tets(again.mesh, origin);
     }
 
     Kept kept_beside(const std::vector<Place>& places, const SizingField& shorter) const {
