@@ -8,7 +8,9 @@
 #include "core/dimension.h"
 #include "core/errors.h"
 #include "core/messages.h"
+#include "core/sort_once.h"
 #include "mesh/second_order.h"
+#include "mesh/side_table.h"
 #include "mesh/tets_at_nodes.h"
 #include "surface/merged_entities.h"
 #include "surface/turned_triangles.h"
@@ -50,6 +52,24 @@ void mark_unproven(const Mesh& mesh, Kept kept, std::size_t first_new_tet,
     for (std::size_t t = first_new_tet; t < mesh.tets.size(); ++t) expected.unproven_tets.emplace_back(t);
 }
 
+/// With segments that are no triangle's side.
+std::vector<Entity> edges_beside_nothing(const Mesh& mesh) {
+    SideTable sides(mesh.corner_count);
+    for (const auto& [a, b, c] : mesh.triangles) sides.value(a, b) = sides.value(b, c) = sides.value(c, a) = 1;
+    std::vector<Entity> edges;
+    for (std::size_t s = 0; s < mesh.segments.size(); ++s)
+        if (sides.find(mesh.segments[s][0], mesh.segments[s][1]) != 1)
+            edges.push_back(entity_of(mesh.segment_edges[s]));
+    sort_once(edges);
+    return edges;
+}
+
+Message why_not_valid(const Mesh& mesh, const std::vector<Message>& broken) {
+    if (broken.size() > 1) return say<Code::mesh_not_valid_more>(broken.front(), broken.size() - 1);
+    if (broken.front().code() != Code::segment_beside_triangles) return say<Code::mesh_not_valid>(broken.front());
+    return say<Code::edges_beside_nothing>(edges_beside_nothing(mesh));
+}
+
 /// Asks for other lengths where that may help; says what is wrong where the mesh is not valid.
 void validate(const Mesh& mesh, const Brep& brep, Kept kept, std::size_t first_new_tet,
               const std::vector<std::array<NodeId, 4>>& released, Attempt& attempt, RunContext& context) {
@@ -61,8 +81,7 @@ void validate(const Mesh& mesh, const Brep& brep, Kept kept, std::size_t first_n
         if (const std::vector<SolidId> off = solids_off_volume(mesh, brep, expected.volume_tolerance); !off.empty())
             attempt.request = for_volume_of(mesh, brep, off.front());
     if (!broken.empty()) {
-        attempt.refusal = broken.size() == 1 ? say<Code::mesh_not_valid>(broken.front())
-                                             : say<Code::mesh_not_valid_more>(broken.front(), broken.size() - 1);
+        attempt.refusal = why_not_valid(mesh, broken);
         return;
     }
     const std::vector<TriangleId> turned = turned_triangles(brep, mesh, expected.is_unproven, context);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts with what is far smaller than the size: thin rods, and details that are ignored.
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -204,6 +208,24 @@ TEST_CASE("a slit narrower than what is ignored is closed in the mesh, which is 
         check_valid(*narrow.part_mesh);
         CHECK(closed(narrow) == 1);
     }
+}
+
+TEST_CASE("the end of such a slit in a floor that goes on beside it is refused by the names of its edges") {
+    BRepBuilderAPI_MakePolygon outline;
+    const std::array<std::array<double, 2>, 8> corners{
+        {{-1, -1}, {20, -1}, {20, 15}, {30, 15}, {30, 15.002}, {20, 15.002}, {20, 31}, {-1, 31}}};
+    for (const auto& [x, y] : corners) outline.Add(gp_Pnt(x, y, 4));
+    outline.Close();
+    const TopoDS_Shape pocket =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 10)).Shape();
+    const RawDocument slitted = PartDocument()
+                                    .box("Block", {0, 0, 0}, {60, 30, 8})
+                                    .add("Pocket", "Part::Extrusion", pocket)
+                                    .cut("Part", "Block", "Pocket")
+                                    .finish();
+    MeshOptions options = options_of(4);
+    options.ignore_below = 0.01;
+    CHECK_THROWS_WITH(meshed(slitted, options), Catch::Matchers::Contains("Nothing is beside Edge"));
 }
 
 TEST_CASE("a fin or a plate thinner than what is ignored has elements: only what is between material is closed") {

@@ -559,6 +559,10 @@
       <translation>Trotzdem vernetzen</translation>
     </message>
     <message>
+      <source>Nothing is beside {edges:entities}: the faces there lie on one another, as of a slit without a width in the midst of the part. Take out or widen the feature that made it, or ask for details below a smaller length to be ignored.</source>
+      <translation>Neben {edges:entities} liegt nichts: Die Flächen dort liegen aufeinander, wie die eines Schlitzes ohne Breite mitten im Teil. Entfernen oder verbreitern Sie das Feature, das ihn erzeugt hat, oder lassen Sie nur Details unter einer kleineren Länge weg.</translation>
+    </message>
+    <message>
       <source>Pareto front</source>
       <translation>Pareto-Front</translation>
     </message>
