@@ -260,8 +260,8 @@ class Keeper {
         for (const std::size_t n : doubled_nodes(in_, motions_, entities_)) motions_[n] = dropped;
     }
 
-    // A vertex may be new where nothing changed that is worth the name: a feature has come to touch an edge there. It
-    // needs a node, and room for it.
+    // A vertex may be new where nothing changed that is worth the name: a feature has come to touch an edge there, or a
+    // solid to share an edge with another one that has a vertex there. It needs a node, and room for it.
     void clear_round_new_vertices() {
         const Brep& brep = in_.new_brep;
         const std::vector<VertexId>& vertex_of = entities_.merged()->vertex_of;
@@ -269,6 +269,7 @@ class Keeper {
         for (const CarriedRegion& region : nodes_.regions())
             for (const VertexId v : region.new_vertex_of)
                 if (v.is_valid()) is_old[vertex_of[v.index()].index()] = 1;
+        for (const VertexId v : vertices_within_old_edges(vertex_of)) is_old[v.index()] = 0;
         std::vector<Vec3> bare;
         for (std::size_t v = 0; v < is_old.size(); ++v)
             if (!is_old[v] && vertex_of[v] == VertexId(v) && is_meshed(entity_of(VertexId(v))))
@@ -281,6 +282,26 @@ class Keeper {
             const Vec3 p = nodes_.at(n);
             if (grid.has_within(p, widest) && grid.has_within(p, in_.margin * in_.new_sizing.at(p))) drop(n, false);
         }
+    }
+
+    /// Between the pieces of an edge that had no vertex there; `vertex_of`: the one that has the node.
+    std::vector<VertexId> vertices_within_old_edges(const std::vector<VertexId>& vertex_of) const {
+        std::vector<VertexId> within;
+        for (const CarriedRegion& region : nodes_.regions())
+            for (std::size_t e = 0; e < region.new_edges_of.size(); ++e) {
+                if (region.new_edges_of[e].size() < 2) continue;
+                const auto was_at = [&](VertexId old, VertexId now) {
+                    const VertexId to = old.is_valid() ? region.new_vertex_of[old.index()] : VertexId();
+                    return to.is_valid() && vertex_of[to.index()] == now;
+                };
+                const auto [first, last] = in_.old_brep.ends_of(EdgeId(e));
+                for (const EdgeId piece : region.new_edges_of[e])
+                    for (const VertexId end : in_.new_brep.ends_of(piece)) {
+                        const VertexId now = end.is_valid() ? vertex_of[end.index()] : VertexId();
+                        if (now.is_valid() && !was_at(first, now) && !was_at(last, now)) within.push_back(now);
+                    }
+            }
+        return within;
     }
 
     bool place(std::size_t n) {

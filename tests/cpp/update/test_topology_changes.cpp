@@ -145,10 +145,10 @@ RawDocument with_bridge(double length) {
         .finish();
 }
 
-/// Two blocks beside one another that share a face, or only touch there.
-RawDocument side_by_side(bool is_joined) {
+/// A block, and another beside or on it, that share a face, or only touch there.
+RawDocument touching(Vec3 low, Vec3 size, bool is_joined) {
     PartDocument document;
-    document.box("One", {0, 0, 0}, {20, 30, 10}).box("Other", {20, 0, 0}, {20, 30, 10});
+    document.box("One", {0, 0, 0}, {20, 30, 10}).box("Other", low, size);
     BOPAlgo_Builder glue;
     TopoDS_Compound apart;
     BRep_Builder().MakeCompound(apart);
@@ -244,7 +244,13 @@ TEST_CASE("two blocks that touch along an edge are joined by a third, and parted
 }
 
 TEST_CASE("two blocks side by side come to share the face at which they touch, and part") {
+    const auto side_by_side = [](bool is_joined) { return touching({20, 0, 0}, {20, 30, 10}, is_joined); };
     check_there_and_back(side_by_side(false), side_by_side(true), 0.5);
+}
+
+TEST_CASE("a block on another, flush with its side, comes to share a face with it, and they part") {
+    const auto flush = [](bool is_joined) { return touching({4.3, 0, 10}, {9, 12, 6}, is_joined); };
+    check_there_and_back(flush(false), flush(true), 0.5);
 }
 
 TEST_CASE("two pockets are joined by a third, and parted") {
