@@ -7,6 +7,7 @@
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <unordered_set>
 
@@ -36,11 +37,12 @@ Box box_of(const Mesh& mesh, const std::array<NodeId, 3>& t) {
 /// moved.
 class BodyBoxes {
   public:
-    BodyBoxes(const Brep& brep, const Mesh& mesh) : brep_(brep), boxes_(brep.body_count()) {
+    BodyBoxes(const Brep& brep, const Mesh& mesh, double reach) : brep_(brep), boxes_(brep.body_count()) {
         if (boxes_.size() < 2) return;
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
             for (const BodyId body : brep.bodies_of(mesh.triangle_faces[t]))
                 if (body.is_valid()) boxes_[body.index()].add(box_of(mesh, mesh.triangles[t]));
+        for (Box& box : boxes_) box = box.grown(reach);
     }
 
     /// Whether another body than those of the face may be in the box.
@@ -63,7 +65,8 @@ class CrossingSearch {
         : brep_(brep),
           mesh_(mesh),
           first_new_(first_new),
-          bodies_(brep, mesh),
+          reach_(brep.body_count() < 2 ? 0 : brep.tolerances().same_geometry()),
+          bodies_(brep, mesh, reach_),
           is_plane_(brep.face_count(), unknown),
           is_line_(brep.edge_count(), unknown) {}
 
@@ -156,7 +159,7 @@ class CrossingSearch {
     void find_with(const BoxTree& tree, std::size_t first, std::size_t i,
                    std::vector<std::array<TriangleId, 2>>& found) const {
         const std::size_t before = found.size();
-        const auto meets = [&](const Box& box) { return box.overlaps(boxes_[i]); };
+        const auto meets = [&, reached = boxes_[i].grown(reach_)](const Box& box) { return box.overlaps(reached); };
         tree.visit_where(meets, [&](std::int32_t other) {
             const auto j = first + std::size_t(other);
             if (j == i || (is_exact_[j] == is_exact_[i] && j < i) || (is_exact_[i] && !is_exact_[j])) return;
@@ -164,7 +167,10 @@ class CrossingSearch {
             if (is_smooth_pair(a, b)) return;
             const bool is_known = std::max(a, b) < first_new_ || (is_exact_[i] && is_exact_[j]);
             if (is_known && have_common_body(brep_, face_of(a), face_of(b))) return;
-            if (!do_cross(mesh_.triangles[a], mesh_.triangles[b])) return;
+            if (!do_cross(mesh_.triangles[a], mesh_.triangles[b]) &&
+                (reach_ == 0 || have_common_body(brep_, face_of(a), face_of(b)) ||
+                 !lie_on_one_another(mesh_.triangles[a], mesh_.triangles[b])))
+                return;
             found.push_back({TriangleId(std::max(a, b)), TriangleId(std::min(a, b))});
         });
         std::sort(found.begin() + std::ptrdiff_t(before), found.end());
@@ -214,10 +220,30 @@ class CrossingSearch {
         return CGAL::do_intersect(one, other);
     }
 
+    /// Without a node in common, but for a gap that rounding leaves, as of solids that a joint has put together.
+    bool lie_on_one_another(const std::array<NodeId, 3>& a, const std::array<NodeId, 3>& b) const {
+        if (std::any_of(a.begin(), a.end(), [&](NodeId n) { return n == b[0] || n == b[1] || n == b[2]; }))
+            return false;
+        const Vec3 m = normal(a);
+        const auto is_in_plane = [&](NodeId n) {
+            return std::abs(dot(m, mesh_.point(n) - mesh_.point(a[0]))) <= reach_ * length(m);
+        };
+        if (!std::all_of(b.begin(), b.end(), is_in_plane)) return false;
+        const double x = std::abs(m.x), y = std::abs(m.y), z = std::abs(m.z);
+        const auto flat = [&](NodeId n) -> Kernel::Point_2 {
+            const Vec3& p = mesh_.point(n);
+            if (x >= y && x >= z) return {p.y, p.z};
+            return y >= z ? Kernel::Point_2(p.z, p.x) : Kernel::Point_2(p.x, p.y);
+        };
+        const Kernel::Triangle_2 one(flat(a[0]), flat(a[1]), flat(a[2])), other(flat(b[0]), flat(b[1]), flat(b[2]));
+        return !one.is_degenerate() && !other.is_degenerate() && CGAL::do_intersect(one, other);
+    }
+
     static constexpr char unknown = 2;
     const Brep& brep_;
     const Mesh& mesh_;
     std::size_t first_new_;
+    double reach_;  ///< mm, over a gap between bodies
     BodyBoxes bodies_;
     std::vector<char> is_plane_, is_line_;      ///< by face and edge, once asked for
     std::unordered_set<std::uint64_t> chords_;  ///< segments on curved edges

@@ -14,7 +14,8 @@ namespace featuremesh {
 
 using TrianglePairs = std::vector<std::array<TriangleId, 2>>;
 
-/// Pairs of triangles that have more in common than their shared nodes and side. Exact.
+/// Pairs of triangles that have more in common than their shared nodes and side. Exact, but between bodies: there
+/// triangles may also lie on one another over a gap in which CAD entities are the same.
 struct Crossings {
     /// Of faces of one body, the first of them a new one (index at least `first_new`). Two triangles that lie in their
     /// planar CAD faces cross only when the shape does; such pairs are not looked for.

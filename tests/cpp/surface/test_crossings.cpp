@@ -122,8 +122,11 @@ TEST_CASE("a solid that crosses itself is refused with the names of its faces an
 
 TEST_CASE("solids that overlap or touch have each a mesh of its own, and a warning names them") {
     const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(8, 8, 8), gp_Pnt(14, 15, 16)).Shape();
-    const TopoDS_Shape beside = BRepPrimAPI_MakeBox(gp_Pnt(10, 2, 3), gp_Pnt(14, 6, 7)).Shape();
-    for (const TopoDS_Shape& other : {pin, block, beside}) {
+    const auto beside_over_gap = [](double gap) {
+        return BRepPrimAPI_MakeBox(gp_Pnt(10 + gap, 2, 3), gp_Pnt(14, 6, 7)).Shape();
+    };
+    const TopoDS_Shape beside = beside_over_gap(0), nearly = beside_over_gap(7e-15), apart = beside_over_gap(1e-5);
+    for (const TopoDS_Shape& other : {pin, block, beside, nearly, apart}) {
         TopoDS_Compound two;
         BRep_Builder builder;
         builder.MakeCompound(two);
@@ -132,12 +135,14 @@ TEST_CASE("solids that overlap or touch have each a mesh of its own, and a warni
         const Brep brep(two);
         const SurfaceResult result = mesh_surface(brep, 2);
         CHECK(surface_findings(brep, result.mesh).empty());
-        REQUIRE(result.report.warnings.size() == 1);
+        REQUIRE(result.report.warnings.size() == (other.IsSame(apart) ? 0 : 1));
+        if (other.IsSame(apart)) continue;
         const std::string warning = result.report.warnings[0].in_english();
         CHECK(warning.find("Solid1 and Solid2") != std::string::npos);
-        if (other.IsSame(
-                beside))  // the faces that lie on one another, before those that only meet the first one in an edge
-            CHECK(warning.find("(Face2 and Face7; ") != std::string::npos);
+        if (other.IsSame(beside) ||
+            other.IsSame(
+                nearly))  // the faces that lie on one another, before those that only meet the first one in an edge
+            CHECK(warning.find("(Face2 and Face7") != std::string::npos);
     }
 }
 
