@@ -38,6 +38,7 @@ _MANY = 50_000   # unknowns, from which on the iterative solver is faster
 _MOVED = "points or faces are moved, and the iterative solver ends too soon"
 _HELD_AT_POINTS = "points or edges hold the part, where the iterative solver ends too soon"
 _SHOWN = 3       # lines of what CalculiX says when it fails
+_BALANCED = 1e-3   # share of the loads that reactions may be off by
 _FLOWN = 100     # times the size of a part, beyond which a displacement is none
 _BY_PLACE = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} refers to {where:entities}, which is not on the meshed part {part:text}: CalculiX got what FreeCAD found in the "
                               "same place, and no edit is followed there; choose faces, edges or vertices of {part:text} instead")
@@ -50,20 +51,21 @@ def solve(analysis):
         base, known = run.tools.inp_file_name[:-len("inp")], run.known
         read = _read_arrays(analysis, known, base + "frd") if known is not None else None
         if read is None:
-            result = read_by_freecad(run.tools, analysis)
+            result, reactions, unbalanced = read_by_freecad(run.tools, analysis), None, 0.0
         else:
             run.tools.load_results_ccxdat()
-            result = read[0]
+            result, reactions, unbalanced = read
         with open(base + "dat", encoding="utf-8") as stream:
             printed = stream.read()
     found, total = _responses(analysis, result, read is not None, printed, run.solver.AnalysisType), time.perf_counter() - start
     return {"solver": "CalculiX", "matrix_solver": {**run.matrix_solver, "preconditioner": None}, "result": result.Name,
             "responses": {**found,
-                          "reactions_n": read[1] if read is not None else printed_reactions(printed, analysis),
+                          "reactions_n": reactions if read is not None else printed_reactions(printed, analysis),
                           "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
                           "strain_energy_mj": printed_strain_energy(printed)},
             "iterations": None, "residual": None, "energy_error": None, "mesh_error": None,
-            "reused": {"preconditioner": False, "start_share": 0.0}, "warnings": run.remarks + _doubts(analysis, found["max_displacement_mm"]),
+            "reused": {"preconditioner": False, "start_share": 0.0},
+            "warnings": run.remarks + _doubts(analysis, found["max_displacement_mm"]) + _doubts_of_reactions(run.solver, unbalanced),
             "seconds": {**run.seconds, "assemble": 0.0, "setup": 0.0, "stresses": 0.0, "result": total - sum(run.seconds.values()), "total": total}}
 
 
@@ -133,6 +135,14 @@ def _doubts(analysis, moved):
     if moved is not None and moved > _FLOWN * size:
         doubts.append(said("the part moved by {times:number} times its own size: its supports do not hold all of it, or a unit is wrong", times=moved / size))
     return doubts + (statics.remarks(arrays) if len(arrays["tets"]) else [])
+
+
+def _doubts_of_reactions(solver, unbalanced):
+    """What CalculiX's iterative solver leaves, which ends by the forces at single nodes."""
+    if unbalanced < _BALANCED:
+        return []
+    return [said("The reactions are off by {share:number} % of the loads, since CalculiX's iterative solver ends early; with a direct one, the property "
+                 "MatrixSolverType of {solver:text}, they are not", share=100 * unbalanced, solver=describe(solver))]
 
 
 def as_arrays(analysis):
@@ -214,7 +224,8 @@ def _with_solver(text, solver, known):
 
 
 def _read_arrays(analysis, known, path):
-    """The result object from the file's arrays, and the reactions by support; None where the file has not what is expected."""
+    """The result object from the file's arrays, the reactions by support, and what share of the loads these do not balance; None where the file has not what is
+    expected."""
     blocks = frd.read(path, {"DISP": 3, "STRESS": 6, "TOSTRAIN": 6, "FORC": 3})
     numbers = known.arrays["node_numbers"]
     order = np.argsort(numbers)
@@ -231,7 +242,10 @@ def _read_arrays(analysis, known, path):
     fields = {"displacements": by_row("DISP"), "stresses": stresses, "von_mises": statics_result.von_mises(stresses)}
     if "TOSTRAIN" in blocks:
         fields["strains"] = by_row("TOSTRAIN")
-    return statics_result.show(analysis, known.arrays, fields, "CCX_Results"), statics.reactions(known, by_row("FORC") - known.add_up().loads)
+    loads = known.add_up().loads
+    left = by_row("FORC") - loads   # of the forces within the part; none but where it is held, if they are exact
+    unbalanced = np.abs(np.where(known.held, 0, left).sum(axis=0)).max() / np.abs(loads).sum() if loads.any() else 0.0
+    return statics_result.show(analysis, known.arrays, fields, "CCX_Results"), statics.reactions(known, left), unbalanced
 
 
 def solver_of(analysis):

@@ -635,6 +635,10 @@
       <translation>Die Zahl der Elemente in Wänden ist {asked:number}; sie darf nicht negativ sein (0 schaltet ab).</translation>
     </message>
     <message>
+      <source>The reactions are off by {share:number} % of the loads, since CalculiX's iterative solver ends early; with a direct one, the property MatrixSolverType of {solver:text}, they are not</source>
+      <translation>Die Reaktionskräfte weichen um {share:number} % der Lasten ab, da der iterative Löser von CalculiX früh endet; mit einem direkten, Eigenschaft MatrixSolverType von {solver:text}, tun sie das nicht</translation>
+    </message>
+    <message>
       <source>The smallest angle that the part does not force is {angle:number} degrees, at {place:entities}: stresses are poor there. Mesh finer there, by a local size or a refinement zone, or take details out that are much smaller than the edge length.</source>
       <translation>Der kleinste Winkel, den das Bauteil nicht erzwingt, ist {angle:number} Grad, bei {place:entities}: Spannungen dort sind ungenau. Dort mit einer lokalen Größe oder einer Verfeinerungszone feiner vernetzen oder Einzelheiten weglassen, die viel kleiner als die Kantenlänge sind.</translation>
     </message>
