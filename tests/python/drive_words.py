@@ -101,7 +101,7 @@ def check_forced_angles(document):
     mesh.ViewObject.doubleClicked()
     spin()
     words = re.search(r"smallest angle ([0-9.]+) deg, ([0-9.]+) deg where the part's own angles do not force less; mean", panel("MeshPanel").result.text())
-    assert words and float(words.group(1)) < 5 < 15 < float(words.group(2)), panel("MeshPanel").result.text()
+    assert words and float(words.group(1)) < 10 < 15 < float(words.group(2)), panel("MeshPanel").result.text()
     picture("forced_angles")
     close("Cancel")
     for obj in (mesh, part):
