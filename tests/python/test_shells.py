@@ -264,6 +264,22 @@ class ShellsSolved(RemeshedExamples, unittest.TestCase):
             self.assertLess(abs(solve(analysis)["displacement"] / expected - 1), WITHIN)
         self.assertGreater(mesh.KeptTets, 70)
 
+    def test_a_pressure_pushes_against_the_face_before_and_after_an_edit(self):
+        sheet, analysis, mesh = self.cantilever()
+        document = sheet.Document
+        document.Load.Force = quantity(1e-6, "N")
+        pressure = ObjectsFem.makeConstraintPressure(document, "Pressure")
+        pressure.References, pressure.Pressure = [(sheet, "Face1")], quantity(0.01, "MPa")
+        analysis.addObject(pressure)
+        for length in (200, 250):
+            sheet.Length = length
+            document.recompute()
+            self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
+            found = api.solve_analysis(analysis)
+            expected = 0.01 * 50 * length ** 4 / (8 * 210000 * 50 * 8 ** 3 / 12)
+            self.assertLess(abs(found["responses"]["max_displacement_mm"] / expected - 1), WITHIN)
+            self.assertLess(min(vector.z for vector in document.getObject(found["result"]).DisplacementVectors), -0.9 * expected)   # its normal is z
+
     def test_a_new_face_without_a_thickness_is_named(self):
         """One thickness is for all faces, several are for those that they name; CalculiX ends where an element has none."""
         pipe = square_pipe(new_document())

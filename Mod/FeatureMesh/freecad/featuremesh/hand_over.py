@@ -253,6 +253,8 @@ def analysis_groups(mesh, resolver, entities):
         if foreign or not names or resolver.without_trace(member):
             continue   # not all of it is on the part
         groups.append((member.Name + "_Nodes", "Node", _union([entities.nodes(name) for name in names])))
+        if member.isDerivedFrom("Fem::ConstraintPressure") and not entities.solids():   # of shells FreeCAD 0.20 takes them from nowhere else
+            groups.append((member.Name + "_Faces", "Face", _union([entities.elements(name) for name in names if name.startswith("Face")])))
         faces.update((name + "_Nodes", entities.nodes(name)) for name in names if name.startswith("Face"))
         solids.update((name, entities.elements(name)) for name in names if name.startswith("Solid"))
     if len(materials) > 1:
