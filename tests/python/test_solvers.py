@@ -6,7 +6,7 @@ from unittest import mock
 
 import ObjectsFem
 from analyses import add_solver
-from freecad.featuremesh import api, calculix, live_result, solvers, statics, tasks
+from freecad.featuremesh import api, calculix, live_result, solvers, statics, statics_model, tasks
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from freecad.featuremesh.study import mass
@@ -39,6 +39,40 @@ class LoadsAndDensities(Case):
         self.add(self.of_the_box, ObjectsFem.makeConstraintSelfWeight, "Weight", None)
         with self.assertRaisesRegex(UserError, "Weight needs the density of every material; give each of them one, with its unit$"):
             statics.solve(self.of_the_box)
+
+
+@unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")
+class WhatCalculixGot(Case):
+    """FreeCAD writes some loads for no analysis, others for some kinds, and says nothing of it."""
+
+    def setUp(self):
+        super().setUp()
+        self.part, self.of_the_box = self.held_box(8.0)
+
+    def solved(self):
+        """The report, and what it warns of in one text."""
+        report = api.solve_analysis(self.of_the_box)
+        return report, " ".join(map(english, report["warnings"]))
+
+    def test_loads_that_are_not_written_are_named(self):
+        self.of_the_box.addObject(self.document.addObject("Fem::ConstraintBearing", "Bearing"))
+        self.add(self.of_the_box, ObjectsFem.makeConstraintTemperature, "Warm", [(self.part, faces_at(self.part, 0, 0))])
+        self.assertRegex(self.solved()[1], "CalculiX got nothing of Bearing, Warm, which FreeCAD does not write for the type of analysis static")
+
+    def test_modes_have_no_reactions(self):
+        self.document.Solver.AnalysisType = "frequency"
+        report, warned = self.solved()
+        self.assertEqual(report["responses"]["reactions_n"], {})
+        self.assertRegex(warned, "got nothing of Force, which .* frequency")
+
+
+class Masses(Case):
+
+    def test_curved_elements_weigh_what_the_part_does(self):
+        part, analysis = self.drilled_box(), self.analysis()
+        self.fix(analysis, part, faces_at(part, 0, 0))
+        mesh = self.mesh(part, 5, 2)
+        self.assertAlmostEqual(statics.mass(statics_model.read(analysis, mesh)) / (7850e-9 * part.Shape.Volume), 1, delta=1e-4)
 
 
 class DirectOrIterative(Case):

@@ -6,6 +6,7 @@ CalculiX. Results of what the live solver knows, too, are read as arrays; all ot
 """
 
 import contextlib
+import importlib
 import os
 import re
 import shutil
@@ -17,7 +18,7 @@ from types import SimpleNamespace
 import FreeCAD
 import numpy as np
 import ObjectsFem
-from femtools import ccxtools
+from femtools import ccxtools, femutils
 
 from . import analyses, frd, modes, parent_process, resolving, solvers, statics, statics_model, statics_result, statics_supports, versions
 from .errors import UserError
@@ -37,6 +38,7 @@ _MANY = 50_000   # unknowns, from which on the iterative solver is faster
 # It looks at the forces that are left, which are small there long before the part has turned as far as it does.
 _MOVED = "points or faces are moved, and the iterative solver ends too soon"
 _HELD_AT_POINTS = "points or edges hold the part, where the iterative solver ends too soon"
+_WRITERS = {"ElectrostaticPotential": "electrostatic"}   # of constraints, where FreeCAD's module has another name
 _SHOWN = 3       # lines of what CalculiX says when it fails
 _BALANCED = 1e-3   # share of the loads that reactions may be off by
 _FLOWN = 100     # times the size of a part, beyond which a displacement is none
@@ -60,7 +62,7 @@ def solve(analysis):
     found, total = _responses(analysis, result, read is not None, printed, run.solver.AnalysisType), time.perf_counter() - start
     return {"solver": "CalculiX", "matrix_solver": {**run.matrix_solver, "preconditioner": None}, "result": result.Name,
             "responses": {**found,
-                          "reactions_n": reactions if read is not None else printed_reactions(printed, analysis),
+                          "reactions_n": reactions if read is not None else {} if run.solver.AnalysisType in modes.TABLES else printed_reactions(printed, analysis),
                           "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
                           "strain_energy_mj": printed_strain_energy(printed)},
             "iterations": None, "residual": None, "energy_error": None, "mesh_error": None,
@@ -84,7 +86,7 @@ def solved(analysis):
         written = time.perf_counter()
         refuse_failure(run(tools), tools.ccx_stdout)
         yield SimpleNamespace(tools=tools, solver=solver, known=known, matrix_solver=matrix_solver,
-                              remarks=solvers.remarks(analysis, solver) + remarks(tools.mesh.FemMesh.VolumeCount > 0, solver),
+                              remarks=solvers.remarks(analysis, solver) + remarks(tools.mesh.FemMesh.VolumeCount > 0, solver) + left_out(analysis, solver),
                               seconds={"read": written - start, "solve": time.perf_counter() - written})
 
 
@@ -117,10 +119,30 @@ def refuse_free_motions(known):
 
 def remarks(is_solid, solver):
     """What the stresses of shells and beams do not say."""
-    if is_solid or getattr(solver, "BeamShellResultOutput3D", False):
+    if is_solid or solver.AnalysisType in modes.TABLES or getattr(solver, "BeamShellResultOutput3D", False):
         return []
     return [said("the stresses of shells and beams are those in the middle of the thickness, where bending makes none; switch "
                  "BeamShellResultOutput3D of {solver:text} on for those on the outside", solver=describe(solver))]
+
+
+def left_out(analysis, solver):
+    """What of the analysis is not in the input, of which FreeCAD says nothing."""
+    members = [describe(member) for member in statics_model.members_of(analysis) if not _is_written(femutils.type_of_obj(member), solver.AnalysisType)]
+    return [said("CalculiX got nothing of {loads:text}, which FreeCAD does not write for the type of analysis {kind:text}", loads=", ".join(members),
+                 kind=solver.AnalysisType)] if members else []
+
+
+def _is_written(member_type, kind):
+    """Has FreeCAD's writer a module for constraints of that type, for analyses of that kind?"""
+    _, is_constraint, name = member_type.partition("Fem::Constraint")
+    if not is_constraint:
+        return True
+    try:
+        writer = importlib.import_module("femsolver.calculix.write_constraint_" + _WRITERS.get(name, name).lower())
+    except ImportError:
+        return False
+    kinds = writer.get_analysis_types()
+    return kinds == "all" or kind in kinds
 
 
 def _doubts(analysis, moved):
@@ -284,7 +306,7 @@ def run(tools):
 
 def _responses(analysis, result, is_by_row, printed, kind):
     """`is_by_row`: are the result's nodes those of the mesh's arrays, row by row? FreeCAD counts them in the order of their numbers. How large the
-    displacements and stresses of a mode are says nothing."""
+    displacements, stresses and reactions of a mode are says nothing."""
     if kind in modes.TABLES:
         nothing = dict.fromkeys(("max_mises_mpa", "max_mises_at", "max_displacement_mm", "max_displacement_at"))
         return {**nothing, "frequencies_hz" if kind == "frequency" else "buckling_factors": modes.read(printed, kind)}

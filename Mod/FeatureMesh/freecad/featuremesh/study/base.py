@@ -95,10 +95,13 @@ def _refuse_mixed(document, study, part, arrays):
 
 def _remarks(document, study, solver, is_solid):
     """What the figures of the cases do not say, in sentences."""
-    if solver != "ccx" or not any(response.kind in response_words.STRESSES for response in study.responses):
+    if solver != "ccx":
         return []
     from .. import calculix   # FreeCAD's tools for CalculiX take a while to load
-    return calculix.remarks(is_solid, calculix.solver_of(api.find_analysis(document, study.analysis)))
+    analysis = api.find_analysis(document, study.analysis)
+    asked = calculix.solver_of(analysis)
+    of_stresses = any(response.kind in response_words.STRESSES for response in study.responses)
+    return (calculix.remarks(is_solid, asked) if of_stresses else []) + calculix.left_out(analysis, asked)
 
 
 def _solver(document, study, mesh):

@@ -439,6 +439,10 @@
       <translation>CalculiX lieferte keine Verschiebungen für {analysis:text}</translation>
     </message>
     <message>
+      <source>CalculiX got nothing of {loads:text}, which FreeCAD does not write for the type of analysis {kind:text}</source>
+      <translation>CalculiX erhielt nichts von {loads:text}, was FreeCAD für die Analyseart {kind:text} nicht schreibt</translation>
+    </message>
+    <message>
       <source>CalculiX left no readable result: {why:messages}</source>
       <translation>CalculiX hinterließ kein lesbares Ergebnis: {why:messages}</translation>
     </message>
