@@ -130,6 +130,31 @@ class Directions(ForcesAlong):
         self.assertEqual([body.Shape.getElement(name).Length for _, name in names_of(load)], [100])
         self.assertEqual(self.direction_of(load)[0], "x")
 
+    def test_an_edge_gets_longer_as_it_is_split(self):
+        """Of a box, and of a sheet, all of whose free edges have the same one face."""
+        for kind in ("Part::Box", "Part::Plane"):
+            with self.subTest(kind):
+                self.setUp()
+                base, drill, cut = (self.document.addObject(name) for name in (kind, "Part::Cylinder", "Part::Cut"))
+                base.Length, base.Width, drill.Radius, drill.Height, drill.Placement.Base = 60, 20, 3, 40, FreeCAD.Vector(40, -8, -5)
+                cut.Base, cut.Tool = base, drill
+                self.document.recompute()
+                places = {"Near": ("YMax", 0), "End": ("XMin", 60)}
+                loads = {place: ObjectsFem.makeConstraintForce(self.document, place) for place in places}
+                for place, load in loads.items():
+                    load.References = [(cut, self.edges_at(cut, *places[place]))]
+                    self.analysis.addObject(load)
+                self.mesh_of(cut)
+                base.Length, drill.Placement.Base.y = 64, 0
+                self.document.recompute()
+                places["End"] = ("XMin", 64)
+                for place, load in loads.items():
+                    self.assertEqual({name for _, name in names_of(load)}, set(self.edges_at(cut, *places[place])), place)
+
+    def edges_at(self, part, side, value):
+        """The edges of a sheet, or of a box's bottom, there."""
+        return ["Edge%d" % number for number, edge in enumerate(part.Shape.Edges, 1) if abs(getattr(edge.BoundBox, side) - value) < NEAR and edge.BoundBox.ZMax < NEAR]
+
     def test_the_edge_is_gone(self):
         """Nothing is solved until somebody says along what the force is to act; undo brings the edge back."""
         self.document.UndoMode = 1

@@ -2,8 +2,8 @@
 """What the faces, edges, vertices and solids of a part are called after an edit.
 
 Faces are followed by the engine. An edge is known by the faces that meet in it, a vertex likewise, a solid by the faces around
-it; where these leave a choice, the one that has not moved is meant, or the pieces of an edge that was split, or else the one that lies among the
-others as it did (of a sheet's free edges, which have the same one face).
+it; where these leave a choice, the one that has not moved is meant, or what lies on the line or circle of an edge (which may be split, and longer), or
+else the one that lies among the others as it did (of a sheet's free edges, which have the same one face).
 """
 
 import re
@@ -13,6 +13,9 @@ import Part
 
 _MEMBERS = {"Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
 _SAME_PLACE = 1e-6  # of the part's diagonal
+_LINE = "Part::GeomLine"
+_GOING_ON = (_LINE, "Part::GeomCircle")   # curves that go on beyond the ends of an edge
+_PARALLEL = 1e-6
 _NEAR = 0.2         # of a sub-element's own diagonal: how far one may have gone that nothing but FreeCAD knows
 
 
@@ -44,11 +47,12 @@ class Numbering:
         if len(found) != 1:
             tolerance = _SAME_PLACE * self._new_shape.BoundBox.DiagonalLength
             staying = [i for i in found or range(len(news)) if _same_place(olds[index], news[i], tolerance)]
-            pieces = [i for i in found if kind == "Edge" and _lies_on(news[i], olds[index], tolerance)
-                      and not any(_same_place(old, news[i], tolerance) for old in olds)]
-            if pieces and not staying:
-                return ["%s%d" % (kind, i + 1) for i in pieces]
             alike = [i for i, around in enumerate(old_faces) if around == old_faces[index]]
+            if kind == "Edge" and not staying:
+                pieces = _pieces(index, alike, found, olds, news, tolerance)
+                if pieces:
+                    return ["%s%d" % (kind, i + 1) for i in pieces]
+                alike, found = _left(index, alike, found, olds, news, tolerance) if len(alike) != len(found) else (alike, found)
             is_choice = len(staying) != 1 and kind != "Solid" and len(alike) == len(found)
             found = self._lying_alike(index, alike, found, olds, news) if is_choice else staying
         return ["%s%d" % (kind, found[0] + 1)] if len(found) == 1 else []
@@ -120,9 +124,44 @@ def _places_among(members):
     return [(place - middle) * (1 / reach) for place in places]
 
 
+def _pieces(index, alike, found, olds, news, tolerance):
+    """Which of `found` lie on the curve of an edge, as far as that goes, or within the edge where others of its kind are on that curve, too."""
+    edge = olds[index]
+    is_alone = not any(_lies_on_curve(olds[i], edge, tolerance) for i in alike if i != index)
+    lies_on = _lies_on_curve if is_alone else _lies_on
+    return [i for i in found if lies_on(news[i], edge, tolerance) and not any(_same_place(old, news[i], tolerance) for old in olds)]
+
+
+def _left(index, alike, found, olds, news, tolerance):
+    """The members before and after that lie on no curve of the other side, and whose curves are as that of `index`."""
+    before = [i for i in alike if not any(_lies_on_curve(news[j], olds[i], tolerance) for j in found)]
+    after = [j for j in found if not any(_lies_on_curve(news[j], olds[i], tolerance) for i in alike)]
+    return [i for i in before if _has_like_curve(olds[i], olds[index])], [j for j in after if _has_like_curve(news[j], olds[index])]
+
+
 def _lies_on(piece, edge, tolerance):
-    first, last = piece.ParameterRange
-    return all(edge.distToShape(Part.Vertex(piece.valueAt(at)))[0] <= tolerance for at in (first, (first + last) / 2, last))
+    return all(edge.distToShape(Part.Vertex(point))[0] <= tolerance for point in _points_of(piece))
+
+
+def _lies_on_curve(piece, edge, tolerance):
+    """Likewise, but beyond the edge's ends, too, where its curve goes on."""
+    if edge.Degenerated or edge.Curve.TypeId not in _GOING_ON:
+        return _lies_on(piece, edge, tolerance)
+    curve = edge.Curve
+    return all((curve.value(curve.parameter(point)) - point).Length <= tolerance for point in _points_of(piece))
+
+
+def _points_of(edge):
+    first, last = edge.ParameterRange
+    return [edge.valueAt(at) for at in (first, (first + last) / 2, last)]
+
+
+def _has_like_curve(edge, other):
+    """Are both straight and parallel, or arcs of one radius?"""
+    if edge.Degenerated or other.Degenerated or edge.Curve.TypeId != other.Curve.TypeId:
+        return False
+    one, two = edge.Curve, other.Curve
+    return one.TypeId in _GOING_ON and (one.Direction.cross(two.Direction).Length <= _PARALLEL if one.TypeId == _LINE else abs(one.Radius - two.Radius) <= _PARALLEL * two.Radius)
 
 
 def _same_place(old, new, tolerance):
