@@ -2,6 +2,7 @@
 """An analysis with several solver objects: which is taken, that it is said, and when nobody can know."""
 import shutil
 import unittest
+from types import SimpleNamespace
 from unittest import mock
 
 import ObjectsFem
@@ -64,6 +65,16 @@ class WhatCalculixGot(Case):
         report, warned = self.solved()
         self.assertEqual(report["responses"]["reactions_n"], {})
         self.assertRegex(warned, "got nothing of Force, which .* frequency")
+
+
+class PrintedReactions(unittest.TestCase):
+
+    def test_of_a_rigid_body_what_holds_it_counts(self):
+        modes = dict.fromkeys(("TranslationalModeX", "TranslationalModeY", "TranslationalModeZ"), "Load")
+        members = [SimpleNamespace(Name="Fixed"), SimpleNamespace(Name="Loaded", **modes), SimpleNamespace(Name="Held", **{**modes, "TranslationalModeY": "Constraint"})]
+        printed = "".join(" total force (fx,fy,fz) for set %s and time  0.1000000E+01\n\n        1.0  2.0  3.0\n\n" % name
+                          for name in ("FIXED", "LOADED_REFNODE", "LOADED_ROTNODE", "HELD_REFNODE", "HELD_ROTNODE"))
+        self.assertEqual(calculix.printed_reactions(printed, SimpleNamespace(Group=members)), {"Fixed": [1, 2, 3], "Held": [0, 2, 0]})
 
 
 class Masses(Case):

@@ -39,6 +39,7 @@ _MANY = 50_000   # unknowns, from which on the iterative solver is faster
 _MOVED = "points or faces are moved, and the iterative solver ends too soon"
 _HELD_AT_POINTS = "points or edges hold the part, where the iterative solver ends too soon"
 _WRITERS = {"ElectrostaticPotential": "electrostatic"}   # of constraints, where FreeCAD's module has another name
+_REFERENCE = "_REFNODE"   # of a rigid body, behind its name
 _SHOWN = 3       # lines of what CalculiX says when it fails
 _BALANCED = 1e-3   # share of the loads that reactions may be off by
 _FLOWN = 100     # times the size of a part, beyond which a displacement is none
@@ -334,9 +335,18 @@ def _arrays(analysis):
 
 
 def printed_reactions(text, analysis):
-    """Of the supports, whose sums FreeCAD asks CalculiX to print: reactions and what loads their nodes."""
-    names = {member.Name.upper(): member.Name for member in analysis.Group}
-    return {names.get(name, name): [float(x), float(y), float(z)] for name, x, y, z in _TOTAL.findall(text)}
+    """Of the supports, whose sums FreeCAD asks CalculiX to print: reactions and what loads their nodes. Of a rigid body what holds its reference node; what
+    CalculiX prints of its turning are moments."""
+    members, found = {member.Name.upper(): member for member in analysis.Group}, {}
+    for name, *force in _TOTAL.findall(text):
+        member, values = members.get(name.removesuffix(_REFERENCE)), [float(value) for value in force]
+        if name.endswith(_REFERENCE) and name not in members and member is not None:
+            held = [getattr(member, "TranslationalMode" + axis) == "Constraint" for axis in "XYZ"]
+            if any(held):
+                found[member.Name] = [value if is_held else 0.0 for value, is_held in zip(values, held)]
+        elif member is not None:
+            found[member.Name] = values
+    return found
 
 
 def printed_strain_energy(text):
