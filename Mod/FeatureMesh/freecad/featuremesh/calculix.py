@@ -31,6 +31,8 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _TOTAL = re.compile(r"total force \(fx,fy,fz\) for set (\S+) and time\s+\S+\s+(\S+)\s+(\S+)\s+(\S+)")
 _ENERGY = re.compile(r"total internal energy for set \S+ and time\s+\S+\s+(\S+)")
 _MASS = re.compile(r"total mass for set \S+ and time\s+\S+\s+(\S+)")
+# The line of the label of a load before it, and nothing but comments and empty lines after it.
+_EMPTY_LOAD = re.compile(r"^\*\* (.*)\n\*(?:DLOAD|FILM|DFLUX)\b.*\n(?:\*\*.*\n|[ \t]*\n)*(?=\*[A-Z])", re.MULTILINE)
 _ALL = re.compile(r"^\*ELSET,\s*ELSET=(Eall|Evolumes)\s*$", re.MULTILINE | re.IGNORECASE)
 _NODE_FILE = re.compile(r"^\*NODE FILE\nU\n", re.MULTILINE)
 _STATIC = re.compile(r"^\*STATIC\s*$", re.MULTILINE)
@@ -87,7 +89,7 @@ def solved(analysis):
         written = time.perf_counter()
         refuse_failure(run(tools), tools.ccx_stdout)
         yield SimpleNamespace(tools=tools, solver=solver, known=known, matrix_solver=matrix_solver,
-                              remarks=solvers.remarks(analysis, solver) + remarks(tools.mesh.FemMesh.VolumeCount > 0, solver) + left_out(analysis, solver),
+                              remarks=solvers.remarks(analysis, solver) + remarks(tools.mesh.FemMesh.VolumeCount > 0, solver) + left_out(analysis, solver) + empty_loads(tools.inp_file_name),
                               seconds={"read": written - start, "solve": time.perf_counter() - written})
 
 
@@ -131,6 +133,13 @@ def left_out(analysis, solver):
     members = [describe(member) for member in statics_model.members_of(analysis) if not _is_written(femutils.type_of_obj(member), solver.AnalysisType)]
     return [said("CalculiX got nothing of {loads:text}, which FreeCAD does not write for the type of analysis {kind:text}", loads=", ".join(members),
                  kind=solver.AnalysisType)] if members else []
+
+
+def empty_loads(path):
+    """Loads of which the input has a heading only, such as a flux of heat on shells."""
+    with open(path, encoding="utf-8") as stream:
+        found = _EMPTY_LOAD.findall(stream.read())
+    return [said("CalculiX got nothing of {loads:text}, for which FreeCAD found no elements", loads=", ".join(found))] if found else []
 
 
 def _is_written(member_type, kind):

@@ -439,6 +439,10 @@
       <translation>CalculiX lieferte keine Verschiebungen für {analysis:text}</translation>
     </message>
     <message>
+      <source>CalculiX got nothing of {loads:text}, for which FreeCAD found no elements</source>
+      <translation>CalculiX erhielt nichts von {loads:text}: FreeCAD fand dafür keine Elemente</translation>
+    </message>
+    <message>
       <source>CalculiX got nothing of {loads:text}, which FreeCAD does not write for the type of analysis {kind:text}</source>
       <translation>CalculiX erhielt nichts von {loads:text}, was FreeCAD für die Analyseart {kind:text} nicht schreibt</translation>
     </message>
