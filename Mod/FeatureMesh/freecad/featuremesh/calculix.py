@@ -89,7 +89,8 @@ def solved(analysis):
         written = time.perf_counter()
         refuse_failure(run(tools), tools.ccx_stdout)
         yield SimpleNamespace(tools=tools, solver=solver, known=known, matrix_solver=matrix_solver,
-                              remarks=solvers.remarks(analysis, solver) + remarks(tools.mesh.FemMesh.VolumeCount > 0, solver) + left_out(analysis, solver) + empty_loads(tools.inp_file_name),
+                              remarks=solvers.remarks(analysis, solver) + remarks(tools.mesh.FemMesh.VolumeCount > 0, solver)
+                                      + left_out(analysis, solver) + empty_loads(tools.inp_file_name),
                               seconds={"read": written - start, "solve": time.perf_counter() - written})
 
 
