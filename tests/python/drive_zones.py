@@ -320,6 +320,7 @@ def check_meshed_beside(document, analysis, mesh, live):
     """*Apply* shows the mesh alone, where it was drawn through the result; that is seen again when the panel is closed. A pipeline, which is old then, is not."""
     pipeline = document.addObject("Fem::FemPostPipeline", "Pipeline")
     analysis.addObject(pipeline)
+    check_load_beside(document, mesh, live, pipeline)
     for size, shown, left in (("5 mm", live, live), ("4 mm", pipeline, mesh)):
         mesh.ViewObject.Visibility, shown.ViewObject.Visibility = False, True
         mesh.ViewObject.doubleClicked()
@@ -331,6 +332,17 @@ def check_meshed_beside(document, analysis, mesh, live):
         click_in_panel("Ok")
         wait_for(lambda: not Gui.Control.activeDialog(), 60)
         assert [obj for obj in (mesh, live, pipeline) if obj.ViewObject.Visibility] == [left], size
+
+
+def check_load_beside(document, mesh, live, pipeline):
+    """A load's panel shows the part in place of the pipeline, which is seen alone again when the panel is closed: the mesh was, too."""
+    assert not any(obj.ViewObject.Visibility for obj in (mesh, live))
+    Gui.activeDocument().setEdit("Force")
+    spin()
+    assert [obj for obj in (mesh, live, pipeline) if obj.ViewObject.Visibility] == []
+    click_in_panel("Cancel")
+    spin(0.5)
+    assert [obj for obj in (mesh, live, pipeline) if obj.ViewObject.Visibility] == [pipeline]
 
 
 def drive():

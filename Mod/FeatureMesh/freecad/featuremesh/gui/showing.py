@@ -26,11 +26,11 @@ def show_part(part):
 
 def show_to_click(obj):
     """Shows the parts whose faces the panel of an FEM object asks for where their meshes are seen in their place, or nothing: some panels of FEM hide all
-    meshes. Returns what `restore` needs to show the meshes again, or the live results that were seen in place of them."""
+    meshes. Returns what `restore` needs to show the meshes again, or the results that were seen in place of them."""
     before = []
     for mesh in api.meshes_of(obj.Document):
         for shown in _meshed(mesh)[-1:]:   # of assembled parts what they are in
-            seen = [live for live in _live_results_of(mesh) if live.ViewObject.Visibility]
+            seen = [result for result in (*_live_results_of(mesh), *_drawn_of_results(mesh)) if result.ViewObject.Visibility]
             is_hidden = not shown.ViewObject.Visibility
             if (is_hidden or seen) and _is_about(obj, mesh):
                 back = [*seen, *([] if any(map(_is_seen, seen)) else [mesh])]
@@ -194,6 +194,12 @@ def _hidden_behind(obj):
 def _live_results_of(mesh):
     """None where it is no mesh of ours."""
     return [live for live in in_document(mesh.Document) if live.Proxy.mesh(live) is mesh]
+
+
+def _drawn_of_results(mesh):
+    """What FreeCAD draws of results of the mesh's analyses: pipelines and their filters."""
+    holding = set(analyses.holding(mesh))
+    return [obj for obj in mesh.Document.Objects if obj.isDerivedFrom(_POST) and holding & _analyses_above(obj)]
 
 
 def _mesh_of(obj):
