@@ -352,7 +352,8 @@ def _watch():
         FreeCAD.addDocumentObserver(_observer)
         mesh_object.on_new_mesh.append(_begin_early)
         recompute_errors.watch(_fail)
-        wrap("femresult.resulttools", None, "purge_results", _keep_from_purge)
+        for purge in ("purge_results", "purge_result_objects"):   # the second before FEM solves, in 1.1
+            wrap("femresult.resulttools", None, purge, _keep_from_purge)
 
 
 def _keep_from_purge(purge, analysis):
