@@ -140,8 +140,8 @@ std::vector<Vec3> MadePieces::carried(State& from, int made, State& to, int made
 /// The sum, over pieces of one made face, of the share of their points that lie on pieces of the other.
 double MadePieces::covered(State& from, int made, State& to, int made_there, const std::vector<Vec3>& carried) {
     const std::vector<FaceId>& there = to.on[std::size_t(made_there)];
-    std::size_t last =
-        0;  // the next point mostly lies on the same piece; on splines each piece that is asked takes long
+    // The next point mostly lies on the same piece. On splines each piece that is asked takes long.
+    std::size_t last = 0;
     const auto lies_on_one = [&](const Vec3& q) {
         const auto lies_on = [&](std::size_t i) { return is_on(piece(to, there[i]).probe, q); };
         if (last < there.size() && lies_on(last)) return true;
