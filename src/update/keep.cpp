@@ -269,7 +269,7 @@ class Keeper {
         for (const CarriedRegion& region : nodes_.regions())
             for (const VertexId v : region.new_vertex_of)
                 if (v.is_valid()) is_old[vertex_of[v.index()].index()] = 1;
-        for (const VertexId v : vertices_within_old_edges(vertex_of)) is_old[v.index()] = 0;
+        for (const VertexId v : vertices_new_on_edges(*entities_.merged())) is_old[v.index()] = 0;
         std::vector<Vec3> bare;
         for (std::size_t v = 0; v < is_old.size(); ++v)
             if (!is_old[v] && vertex_of[v] == VertexId(v) && is_meshed(entity_of(VertexId(v))))
@@ -284,24 +284,42 @@ class Keeper {
         }
     }
 
-    /// Between the pieces of an edge that had no vertex there; `vertex_of`: the one that has the node.
-    std::vector<VertexId> vertices_within_old_edges(const std::vector<VertexId>& vertex_of) const {
-        std::vector<VertexId> within;
-        for (const CarriedRegion& region : nodes_.regions())
+    /// On edges that were there without them: between the pieces of one, or beside it and merged with it since.
+    std::vector<VertexId> vertices_new_on_edges(const MergedEntities& merged) const {
+        std::vector<VertexId> found;
+        for (const CarriedRegion& region : nodes_.regions()) {
+            const auto place_of = [&](VertexId old) {
+                const VertexId now = old.is_valid() ? region.new_vertex_of[old.index()] : VertexId();
+                return now.is_valid() ? merged.vertex_of[now.index()] : now;
+            };
             for (std::size_t e = 0; e < region.new_edges_of.size(); ++e) {
-                if (region.new_edges_of[e].size() < 2) continue;
-                const auto was_at = [&](VertexId old, VertexId now) {
-                    const VertexId to = old.is_valid() ? region.new_vertex_of[old.index()] : VertexId();
-                    return to.is_valid() && vertex_of[to.index()] == now;
-                };
-                const auto [first, last] = in_.old_brep.ends_of(EdgeId(e));
-                for (const EdgeId piece : region.new_edges_of[e])
-                    for (const VertexId end : in_.new_brep.ends_of(piece)) {
-                        const VertexId now = end.is_valid() ? vertex_of[end.index()] : VertexId();
-                        if (now.is_valid() && !was_at(first, now) && !was_at(last, now)) within.push_back(now);
-                    }
+                std::vector<VertexId> on;
+                for (const EdgeId piece : region.new_edges_of[e]) {
+                    if (region.new_edges_of[e].size() > 1)
+                        for (const VertexId end : in_.new_brep.ends_of(piece))
+                            if (end.is_valid()) on.push_back(merged.vertex_of[end.index()]);
+                    for (const auto& [t, vertex] : merged.vertices_on[piece.index()]) on.push_back(vertex);
+                }
+                if (on.empty()) continue;
+                std::vector<VertexId> was_on;
+                for (const VertexId old : old_vertices_on(EdgeId(e))) was_on.push_back(place_of(old));
+                for (const VertexId v : on)
+                    if (std::find(was_on.begin(), was_on.end(), v) == was_on.end()) found.push_back(v);
             }
-        return within;
+        }
+        return found;
+    }
+
+    /// Its ends, and others whose nodes it had.
+    std::vector<VertexId> old_vertices_on(EdgeId edge) const {
+        const Mesh& old = in_.old_mesh;
+        std::vector<VertexId> on;
+        for (const VertexId end : in_.old_brep.ends_of(edge)) on.push_back(end);
+        for (std::size_t s = 0; s < old.segments.size(); ++s)
+            if (old.segment_edges[s] == edge)
+                for (const NodeId n : old.segments[s])
+                    if (old.entities[n.index()].dim == 0) on.emplace_back(old.entities[n.index()].index);
+        return on;
     }
 
     bool place(std::size_t n) {

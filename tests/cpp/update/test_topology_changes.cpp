@@ -163,6 +163,7 @@ RawDocument touching(Vec3 low, Vec3 size, bool is_joined) {
 PartMeshResult meshed(const RawDocument& document, double size = 2.5) {
     MeshOptions options;
     options.sizing.size = size;
+    options.ignore_below = 0;
     RunContext context;
     return mesh_part(document, options, context);
 }
@@ -251,6 +252,12 @@ TEST_CASE("two blocks side by side come to share the face at which they touch, a
 TEST_CASE("a block on another, flush with its side, comes to share a face with it, and they part") {
     const auto flush = [](bool is_joined) { return touching({4.3, 0, 10}, {9, 12, 6}, is_joined); };
     check_there_and_back(flush(false), flush(true), 0.5);
+}
+
+TEST_CASE(
+    "a block whose corner lies beside another's edge, nearer than what is ignored, comes to share a face with it") {
+    const auto beside = [](bool is_joined) { return touching({20, 0, 0.0016}, {8, 8.777, 8}, is_joined); };
+    check_there_and_back(beside(false), beside(true), 0.5);
 }
 
 TEST_CASE("two pockets are joined by a third, and parted") {
