@@ -2505,8 +2505,8 @@
       <translation>Behalten in %s</translation>
     </message>
     <message>
-      <source>Kept nodes of {edge:entities} belong to an edge in the same place. Mesh the part from scratch.</source>
-      <translation>Behaltene Knoten von {edge:entities} gehören zu einer Kante am selben Ort. Das Bauteil vollständig neu vernetzen.</translation>
+      <source>Kept nodes of {edge:entities} belong to an edge in the same place.</source>
+      <translation>Behaltene Knoten von {edge:entities} gehören zu einer Kante am selben Ort.</translation>
     </message>
     <message>
       <source>Kind</source>
@@ -2757,12 +2757,12 @@
       <translation>Das Wachstum ist {growth:number}; es muss mindestens 1 sein (üblich ist 1.3).</translation>
     </message>
     <message>
-      <source>The kept nodes of {edge:entities} are not in the order of the edge. Mesh the part from scratch.</source>
-      <translation>Die behaltenen Knoten von {edge:entities} liegen nicht in der Reihenfolge der Kante. Das Bauteil vollständig neu vernetzen.</translation>
+      <source>The kept nodes of {edge:entities} are not in the order of the edge.</source>
+      <translation>Die behaltenen Knoten von {edge:entities} liegen nicht in der Reihenfolge der Kante.</translation>
     </message>
     <message>
-      <source>The kept segments of {edge:entities} do not follow the edge. Mesh the part from scratch.</source>
-      <translation>Die behaltenen Segmente von {edge:entities} folgen der Kante nicht. Das Bauteil vollständig neu vernetzen.</translation>
+      <source>The kept segments of {edge:entities} do not follow the edge.</source>
+      <translation>Die behaltenen Segmente von {edge:entities} folgen der Kante nicht.</translation>
     </message>
     <message>
       <source>The live solver does not converge on this mesh; solve with CalculiX, and look for very flat elements or materials of very different stiffness.</source>
@@ -4161,8 +4161,8 @@
       <translation>{edge:entities} liegt auf {other:entities}, beginnt und endet aber nicht dort. Das Formelement prüfen, das sie erzeugt hat (Part: Geometrie prüfen).</translation>
     </message>
     <message>
-      <source>{face:entities} cannot be filled: {why:messages}. Mesh the part from scratch.</source>
-      <translation>{face:entities} kann nicht gefüllt werden: {why:messages}. Das Bauteil vollständig neu vernetzen.</translation>
+      <source>{face:entities} cannot be filled: {why:messages}.</source>
+      <translation>{face:entities} kann nicht gefüllt werden: {why:messages}.</translation>
     </message>
     <message>
       <source>{face:entities} cannot be meshed: its boundary crosses or touches itself ({edges:entities}). Check the feature that made it (Part: Check geometry), or try a smaller size.</source>
