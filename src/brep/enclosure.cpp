@@ -11,9 +11,15 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Solid.hxx>
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <optional>
 #include <utility>
 
 #include "brep/solid_probe.h"
+#include "core/errors.h"
+#include "core/isolated_run.h"
+#include "core/run_context.h"
 
 namespace featuremesh {
 
@@ -32,17 +38,16 @@ bool crossing(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y, d
     return true;
 }
 
-}  // namespace
+using Triangles = std::vector<std::array<Vec3, 3>>;
 
-std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape) {
-    const TopoDS_Shape copy =
-        BRepBuilderAPI_Copy(shape, true, false).Shape();  // the original stays without a triangulation
+/// The shape gets the kernel's triangulation.
+Triangles triangulate_itself(const TopoDS_Shape& shape, IMeshTools_MeshAlgoType algorithm) {
     IMeshTools_Parameters parameters;
     parameters.Deflection = 0.01, parameters.Relative = true, parameters.Angle = 0.3;
-    parameters.MeshAlgo = IMeshTools_MeshAlgoType_Delabella;  // the other takes twenty times as long for 900 holes
-    BRepMesh_IncrementalMesh mesher(copy, parameters);
-    std::vector<std::array<Vec3, 3>> triangles;
-    for (TopExp_Explorer it(copy, TopAbs_FACE); it.More(); it.Next()) {
+    parameters.MeshAlgo = algorithm;
+    BRepMesh_IncrementalMesh mesher(shape, parameters);
+    Triangles triangles;
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
         if (it.Current().Orientation() == TopAbs_INTERNAL) continue;
         TopLoc_Location location;
         const auto mesh = BRep_Tool::Triangulation(TopoDS::Face(it.Current()), location);
@@ -55,6 +60,41 @@ std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape) {
         }
     }
     return triangles;
+}
+
+bool has_many_holes(const TopoDS_Shape& shape) {
+    constexpr int many = 100;
+    for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next())
+        if (it.Current().NbChildren() > many) return true;
+    return false;
+}
+
+/// By Delabella, in a copy of the process, since it crashes at some shapes; none when it did, or did not end.
+std::optional<Triangles> triangulate_apart(const TopoDS_Shape& shape) try {
+    constexpr Patience patience{60};
+    const auto bytes = run_isolated(
+        [&](const RunContext&) {
+            const Triangles triangles = triangulate_itself(shape, IMeshTools_MeshAlgoType_Delabella);
+            const auto* first = reinterpret_cast<const std::byte*>(triangles.data());
+            return std::vector(first, first + triangles.size() * sizeof(Triangles::value_type));
+        },
+        patience, {});
+    if (!bytes) return {};
+    Triangles triangles(bytes->size() / sizeof(Triangles::value_type));
+    if (!triangles.empty()) std::memcpy(triangles.data(), bytes->data(), bytes->size());
+    return triangles;
+} catch (const MeshError&) {
+    return {};
+}
+
+}  // namespace
+
+std::vector<std::array<Vec3, 3>> triangulate(const TopoDS_Shape& shape) {
+    const TopoDS_Shape copy =
+        BRepBuilderAPI_Copy(shape, true, false).Shape();  // the original stays without a triangulation
+    if (has_many_holes(copy))                             // for 900 the default takes twenty times as long
+        if (auto triangles = triangulate_apart(copy)) return *std::move(triangles);
+    return triangulate_itself(copy, IMeshTools_MeshAlgoType_DEFAULT);
 }
 
 Enclosure::Enclosure(const std::vector<TopoDS_Shape>& volumes) {

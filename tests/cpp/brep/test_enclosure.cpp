@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
+#include <numbers>
 #include <random>
 
 #include "brep/enclosure.h"
@@ -58,6 +62,19 @@ TEST_CASE("a face drawn into a volume is no border of its enclosure") {
     BRep_Builder().Add(volume, drawn.Oriented(TopAbs_INTERNAL));
     const Enclosure inside({volume});
     for (const double z : {2.0, 8.0}) CHECK(inside.contains({5, 5, z}));
+}
+
+TEST_CASE("a face with very many holes is triangulated around each") {
+    constexpr int across = 11;  // more than a hundred take another road
+    BRepBuilderAPI_MakeFace face(gp_Pln(), 0, 10.0 * across, 0, 10.0 * across);
+    for (int i = 0; i < across * across; ++i) {
+        const gp_Pnt centre(10.0 * (i % across) + 5, 10.0 * (i / across) + 5, 0);
+        const gp_Circ hole(gp_Ax2(centre, gp_Dir(0, 0, -1)), 3);
+        face.Add(BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(hole)));
+    }
+    double area = 0;
+    for (const auto& [a, b, c] : triangulate(face.Shape())) area += length(cross(b - a, c - a)) / 2;
+    CHECK(area == Approx(across * across * (100 - 9 * std::numbers::pi)).epsilon(0.02));
 }
 
 TEST_CASE("an enclosure of nothing contains nothing") { CHECK_FALSE(Enclosure({}).contains({0, 0, 0})); }
