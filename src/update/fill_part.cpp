@@ -249,7 +249,7 @@ void note_refusal(Attempt& attempt, Function work) {
 class SizeLoop {
   public:
     SizeLoop(const Brep& brep, const SizingField& sizing, Kept kept, MeshOptions options,
-             std::span<const SizeSource> sources, std::vector<Round>& rounds, RunContext& context)
+             std::span<const SizeSource> sources, std::vector<Round>& rounds, bool all_may_ask, RunContext& context)
         : brep_(brep),
           plain_(sizing),
           field_(sizing),
@@ -257,6 +257,7 @@ class SizeLoop {
           options_(std::move(options)),
           sources_(sources.begin(), sources.end()),
           rounds_(rounds),
+          only_folded_ask_(keeps_ && !all_may_ask),
           context_(context) {
         options_.volume.smallest_asked = std::max(options_.volume.smallest_asked, sizing.smallest());
     }
@@ -282,7 +283,7 @@ class SizeLoop {
         Attempt attempt;
         note_refusal(attempt, [&] {
             // where no second filling can follow, the kept mesh is moved instead of copied
-            const bool may_be_last = is_spent_ = keeps_ && options_.order == 1;
+            const bool may_be_last = is_spent_ = only_folded_ask_ && options_.order == 1;
             SurfaceResult surface = fill_surface(brep_, field_, may_be_last ? std::move(kept_.mesh) : kept_.mesh,
                                                  context_, {.known = merged_.get(), .narrow = narrow_});
             attempt.has_narrow_faces = surface.report.has_opposite_nodes;
@@ -358,12 +359,12 @@ class SizeLoop {
         return true;
     }
 
-    /// Asks for shorter edges where the mesh is too coarse. An update does so only for folded elements; in all other
-    /// cases it keeps less of the old mesh instead, and in the end nothing.
+    /// Asks for shorter edges where the mesh is too coarse. An update does so only for folded elements at first; in all
+    /// other cases it keeps less of the old mesh before, and in the end nothing.
     bool ask_for_shorter(const Attempt& attempt) {
         const SizeRequest& request = attempt.request;
         const bool is_folded = request.reason == SizeReason::folded;
-        if (request.is_empty() || (keeps_ && !is_folded)) return false;
+        if (request.is_empty() || (only_folded_ask_ && !is_folded)) return false;
         if (request.reason == SizeReason::thin && !may_help_thin()) return false;
         first_of_last_ = shorter_.size();
         for (const SizeSource& source : request.lengths) shorter_.push_back(shorter_than_asked(field_, source));
@@ -439,6 +440,7 @@ class SizeLoop {
         kept_.merged ? kept_.merged : std::make_shared<const MergedEntities>(brep_, options_.ignored_below);
     std::vector<SizeSource> sources_, shorter_;
     std::vector<Round>& rounds_;
+    const bool only_folded_ask_;
     RunContext& context_;
     const std::size_t first_round_ = rounds_.size();
     NarrowFaces narrow_ = NarrowFaces::opposite_nodes;
@@ -477,8 +479,8 @@ Kept nothing_kept(NextNumbers next) {
 
 std::variant<Filled, Message> fill_part(const Brep& brep, const SizingField& sizing, Kept kept,
                                         const MeshOptions& options, std::span<const SizeSource> sources,
-                                        std::vector<Round>& rounds, RunContext& context) {
-    return SizeLoop(brep, sizing, std::move(kept), options, sources, rounds, context).run();
+                                        std::vector<Round>& rounds, RunContext& context, bool all_may_ask) {
+    return SizeLoop(brep, sizing, std::move(kept), options, sources, rounds, all_may_ask, context).run();
 }
 
 }  // namespace featuremesh

@@ -51,9 +51,10 @@ Kept nothing_kept(NextNumbers next);
 
 /// Surface, volume (of solids only), mid-side nodes and validation of all that is not kept. Whatever finds that a place
 /// needs other lengths asks for them, and all is filled again with these, as often as `rounds` leaves room for; each is
-/// noted there. `sources` are the field's own. The refusal of the last where no valid mesh can be made.
+/// noted there. `sources` are the field's own. Beside kept elements only folded ones ask, unless all may, as where a
+/// filling without has failed. The refusal of the last where no valid mesh can be made.
 std::variant<Filled, Message> fill_part(const Brep& brep, const SizingField& sizing, Kept kept,
                                         const MeshOptions& options, std::span<const SizeSource> sources,
-                                        std::vector<Round>& rounds, RunContext& context);
+                                        std::vector<Round>& rounds, RunContext& context, bool all_may_ask = false);
 
 }  // namespace featuremesh

@@ -282,7 +282,7 @@ class Stages {
                     why_nothing_ = say<Code::nothing_clear_of_changes>();
                     return;
                 }
-                if (fill_gaps(old.mesh, filling, why)) {
+                if (fill_gaps(old.mesh, filling, margin > smallest_margin, why)) {
                     mend_small_angles(part_->brep, filling, adopted_sizes_, *filled_, &origin_, report_.rounds,
                                       context_);
                     return;
@@ -301,7 +301,7 @@ class Stages {
             if (more_layers == 0) tell_misfits(fit, foreign);
             kept_ = std::move(fit.kept);
             Message why;
-            if (fill_gaps(foreign, options_, why)) return;
+            if (fill_gaps(foreign, options_, more_layers > 0, why)) return;
             report_.fallbacks.push_back(say<Code::keeping_what_fits_failed>(why));
             report_.rounds.push_back({"kept elements", {}, "less is kept", why});
         }
@@ -388,15 +388,15 @@ class Stages {
         return refusal.code() == Code::thin_elements_remain || refusal.code() == Code::thin_elements_remain_beside;
     }
 
-    bool fill_gaps(const Mesh& before, const MeshOptions& options, Message& why) {
+    bool fill_gaps(const Mesh& before, const MeshOptions& options, bool all_may_ask, Message& why) {
         MeshOrigin kept{std::move(kept_.node_origin),
                         std::move(dimension() == Dimension::solids  ? kept_.tet_origin
                                   : dimension() == Dimension::faces ? kept_.triangle_origin
                                                                     : kept_.segment_origin),
                         std::move(kept_.made_for)};
         report_.kept = std::move(kept_.by_motion);
-        auto filled =
-            fill_part(part_->brep, *sizing_, std::move(kept_), options, adopted_sizes_, report_.rounds, context_);
+        auto filled = fill_part(part_->brep, *sizing_, std::move(kept_), options, adopted_sizes_, report_.rounds,
+                                context_, all_may_ask);
         if (auto* refusal = std::get_if<Message>(&filled)) return why = std::move(*refusal), false;
         take(std::get<Filled>(std::move(filled)));
         origin_ = origin_of(*filled_, std::move(kept), before, element_count(filled_->mesh, dimension()), context_);

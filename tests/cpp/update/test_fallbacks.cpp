@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an update does when what it kept cannot be filled around: it keeps less, and at last nothing, and says so.
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shape.hxx>
 #include <algorithm>
 #include <cmath>
+#include <gp_Pnt.hxx>
 #include <string>
 
 #include "catch.h"
@@ -9,6 +16,7 @@
 #include "core/messages.h"
 #include "mesh/validation.h"
 #include "part_documents.h"
+#include "update/fill_part.h"
 #include "update/part_mesh.h"
 
 using namespace featuremesh;
@@ -101,6 +109,34 @@ TEST_CASE(
     CHECK(has(result.report.fallbacks, 0, "further than 1.2"));
     CHECK(result.report.kept_nodes_share > 0.5);
     CHECK(findings(*result.part_mesh) == "");
+}
+
+TEST_CASE("where what is new needs a finer mesh than was asked for, what is far from it stays") {
+    const auto beside = [](const TopoDS_Shape& solid) {
+        TopoDS_Compound both;
+        BRep_Builder().MakeCompound(both);
+        BRep_Builder().Add(both, BRepPrimAPI_MakeBox(gp_Pnt(30, 0, 0), 60, 30, 20).Shape());
+        BRep_Builder().Add(both, solid);
+        return PartDocument().add("Part", "Part::Compound", both).finish();
+    };
+    const TopoDS_Shape lens = BRepAlgoAPI_Common(BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 0), 10).Shape(),
+                                                 BRepPrimAPI_MakeSphere(gp_Pnt(0, 0, 19), 10).Shape())
+                                  .Shape();
+    MeshOptions options = options_of(1);
+    options.sizing.size = 5;
+    options.sizing.elements_per_circle = 0;
+    RunContext context;
+    const auto old = mesh_part(beside(BRepPrimAPI_MakeBox(4, 4, 4).Shape()), options, context).part_mesh;
+    const PartMeshResult result = update_part(*old, beside(lens), options, context);
+    CHECK(result.report.fallbacks.size() == 1);
+    CHECK(has(result.report.fallbacks, 0, "further than 1.2"));
+    CHECK(result.report.kept_nodes_share > 0.9);
+    const auto& rounds = result.report.rounds;
+    CHECK(std::any_of(rounds.begin(), rounds.end(), [](const auto& round) { return round.reason == "cannot follow"; }));
+    const auto& warnings = result.report.warnings;
+    CHECK(std::any_of(warnings.begin(), warnings.end(),
+                      [](const auto& line) { return line.code() == Code::finer_to_follow; }));
+    CHECK(broken_invariants(result.part_mesh->mesh, expectation_of(result.part_mesh->part.brep)).empty());
 }
 
 TEST_CASE("where little would be kept, the part is meshed anew after the first failure, and the report says why") {
