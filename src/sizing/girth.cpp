@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sizing/girth.h"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
+#include <GCPnts_AbscissaPoint.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <algorithm>
 #include <array>
@@ -20,6 +23,8 @@ namespace featuremesh {
 namespace {
 
 using Range = std::array<double, 2>;
+
+constexpr double at_tip = 0.25;  ///< of the girth where it is widest
 
 double at_share(const Range& range, double share) { return range[0] + share * (range[1] - range[0]); }
 
@@ -83,6 +88,62 @@ bool is_half_of_rod(const Brep& brep, FaceId face, const BRepAdaptor_Surface& su
     return false;
 }
 
+bool has_end(const Brep& brep, EdgeId edge, VertexId vertex) {
+    const auto [first, last] = brep.ends_of(edge);
+    return first == vertex || last == vertex;
+}
+
+VertexId other_end(const Brep& brep, EdgeId edge, VertexId vertex) {
+    const auto [first, last] = brep.ends_of(edge);
+    return first == vertex ? last : first;
+}
+
+double length_of(const TopoDS_Edge& edge) {
+    const BRepAdaptor_Curve curve(edge);
+    return GCPnts_AbscissaPoint::Length(curve);
+}
+
+struct Lap {
+    double shorter, longer;  ///< once round, along the one or the other ends of the faces
+    Vec3 center;
+};
+
+/// From a side of a face to the opposite one and on, through curved faces of four edges, until the first face is there
+/// again.
+std::optional<Lap> lap_from(const Brep& brep, FaceId first, EdgeId start) {
+    constexpr std::size_t most_faces = 64;
+    double left = 0, right = 0;
+    Vec3 middles;
+    std::size_t count = 0;
+    FaceId face = first;
+    EdgeId side = start;
+    VertexId at_left = brep.ends_of(start)[0];
+    do {
+        const auto edges = brep.edges_of(face);
+        const VertexId at_right = other_end(brep, side, at_left);
+        if (++count > most_faces || edges.size() != 4 || at_left == at_right ||
+            BRepAdaptor_Surface(brep.face(face), false).GetType() == GeomAbs_Plane)
+            return {};
+        EdgeId opposite, along_left, along_right;
+        for (const EdgeId edge : edges) {
+            if (edge == side) continue;
+            const bool is_left = has_end(brep, edge, at_left), is_right = has_end(brep, edge, at_right);
+            (is_left ? along_left : is_right ? along_right : opposite) = edge;
+        }
+        if (!opposite.is_valid() || !along_left.is_valid() || !along_right.is_valid()) return {};
+        left += length_of(brep.edge(along_left)), right += length_of(brep.edge(along_right));
+        const BRepAdaptor_Curve curve(brep.edge(opposite));
+        middles = middles + to_vec3(curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter())));
+        at_left = other_end(brep, along_left, at_left);
+        side = opposite;
+        const auto faces = brep.faces_of(side);
+        if (faces.size() != 2) return {};
+        face = faces[faces[0] == face ? 1 : 0];
+    } while (face != first);
+    if (side != start) return {};
+    return Lap{std::min(left, right), std::max(left, right), middles / double(count)};
+}
+
 double asked_on(FaceId face, const SizingOptions& options) {
     double size = options.size;
     for (const LocalSize& local : options.local)
@@ -118,17 +179,23 @@ std::optional<Girth> Girth::of(const Brep& brep, FaceId face, const BRepAdaptor_
     const GeomAbs_SurfaceType type = surface.GetType();
     if (type == GeomAbs_Plane) return {};
     const bool closes = has_seam(brep, face);
-    if (!closes && type != GeomAbs_Cylinder) return {};
     Range u, v;
     BRepTools::UVBounds(brep.face(face), u[0], u[1], v[0], v[1]);
     const double mu = at_share(u, 0.5), mv = at_share(v, 0.5);
+    if (!closes && (type != GeomAbs_Cylinder || !is_half_of_rod(brep, face, surface))) {
+        std::optional<Lap> least;
+        for (const EdgeId edge : brep.edges_of(face))
+            if (const auto lap = lap_from(brep, face, edge); lap && (!least || lap->longer < least->longer))
+                least = lap;
+        if (!least || !is_round_material(brep, face, surface, mu, mv, least->center)) return {};
+        return Girth(std::max(at_tip * least->longer, least->shorter));
+    }
     if (type == GeomAbs_Cylinder) {
         const gp_Ax1 axis = surface.Cylinder().Axis();
         const Vec3 p = to_vec3(surface.Value(mu, mv)), base = to_vec3(axis.Location()),
                    along = to_vec3(gp_Vec(axis.Direction()));
         if (!is_round_material(brep, face, surface, mu, mv, base + dot(p - base, along) * along)) return {};
-        if (!(closes ? goes_round(brep.face(face), surface, u, v, true) : is_half_of_rod(brep, face, surface)))
-            return {};
+        if (closes && !goes_round(brep.face(face), surface, u, v, true)) return {};
         return Girth(2 * std::numbers::pi * surface.Cylinder().Radius());
     }
     if (type == GeomAbs_Sphere) {
@@ -166,7 +233,7 @@ double Girth::at(const Vec3& p) const {
     const auto nearest = std::min_element(rings_.begin(), rings_.end(), [&](const Ring& a, const Ring& b) {
         return squared_length(a.center - p) < squared_length(b.center - p);
     });
-    return std::max(0.25 * widest_, nearest->length);
+    return std::max(at_tip * widest_, nearest->length);
 }
 
 namespace {

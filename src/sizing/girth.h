@@ -20,7 +20,8 @@ namespace featuremesh {
 /// How far it is once round the material along a face.
 class Girth {
   public:
-    /// None where the face does not close round material, alone or with one that goes on from it on the same cylinder.
+    /// None where the face does not close round material, alone, with one that goes on from it on the same cylinder, or
+    /// with others in a ring, all curved and of four edges.
     static std::optional<Girth> of(const Brep& brep, FaceId face, const BRepAdaptor_Surface& surface);
 
     /// At a place of the face, mm; at a tip a quarter of what it is where the face is widest.

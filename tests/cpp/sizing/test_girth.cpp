@@ -11,6 +11,10 @@
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <GeomConvert.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <TopoDS_Shape.hxx>
 #include <gp_Circ.hxx>
 #include <numbers>
@@ -33,6 +37,19 @@ Brep rod_of_halves(double length) {
     return Brep(BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire).Face(), gp_Vec(0, 0, length)).Shape());
 }
 
+/// A rod along z, a face for each quarter of a turn: of a cylinder, or as a spline.
+Brep rod_of_quarters(double length, bool is_spline) {
+    const gp_Circ circle(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 1);
+    BRepBuilderAPI_MakeWire wire;
+    for (int i = 0; i < 4; ++i) {
+        const double begin = i * 0.25 * round_one, end = (i + 1) * 0.25 * round_one;
+        const Handle(Geom_Curve) arc = new Geom_TrimmedCurve(new Geom_Circle(circle), begin, end);
+        const Handle(Geom_Curve) curve = is_spline ? GeomConvert::CurveToBSplineCurve(arc) : arc;
+        wire.Add(BRepBuilderAPI_MakeEdge(curve));
+    }
+    return Brep(BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(wire.Wire()).Face(), gp_Vec(0, 0, length)).Shape());
+}
+
 SizingOptions coarse(double size) {
     SizingOptions options;
     options.size = size;
@@ -53,6 +70,8 @@ TEST_CASE("however large the size is, six elements go round a rod") {
             const SizingOptions options = coarse(share * length);
             CHECK(smallest_of(rod(length), options) == Approx(round_one / 6));
             CHECK(smallest_of(rod_of_halves(length), options) == Approx(round_one / 6));
+            for (const bool is_spline : {false, true})
+                CHECK(smallest_of(rod_of_quarters(length, is_spline), options) == Approx(round_one / 6).epsilon(1e-6));
         }
     SizingOptions plain = coarse(80);
     plain.elements_per_circle = 0;
@@ -81,6 +100,9 @@ TEST_CASE("what has material around it, or on both sides of a small part of a ci
         BRepAlgoAPI_Fuse(block, BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(50, 0, 0), gp_Dir(0, 0, 1)), 1, 100).Shape())
             .Shape());
     CHECK(smallest_of(rounded, coarse(100)) == Approx(10));
+    const TopoDS_Shape through = BRepPrimAPI_MakeBox(gp_Pnt(-50, -50, 1), 100, 100, 98).Shape();
+    const Brep holed_in_quarters(BRepAlgoAPI_Cut(through, rod_of_quarters(100, true).shape()).Shape());
+    CHECK(smallest_of(holed_in_quarters, coarse(100)) == Approx(10));
     CHECK(warnings_of_thin_rods(holed, coarse(100)).empty());
     CHECK(warnings_of_thin_rods(rounded, coarse(100)).empty());
 }
