@@ -212,8 +212,9 @@ bool ChartDomain::contains(Vec2 p, void*& hint) const {
     const Cdt& cdt = data_->cdt;
     const Face start = hint ? Face(static_cast<Structure::Face_handle::pointer>(hint)) : Face();
     const Face f = cdt.locate(Point(p.x, p.y), start);
-    hint = cdt.is_infinite(f) ? nullptr : &*f;
-    return f->info().label > 0 && !cdt.is_infinite(f);
+    if (cdt.is_infinite(f)) return false;
+    hint = &*f;
+    return f->info().label > 0;
 }
 
 void ChartDomain::insert(std::span<const Vec2> seeds, const Heartbeat& heart) {

@@ -261,7 +261,7 @@ class Front {
         const Vec3 inwards = normalized(cross(cross(frame.dx, frame.dy), along));
         const double h = 0.5 * (wanted(s.a) + wanted(s.b)),
                      height = std::sqrt(std::max(0.25 * h * h, h * h - 0.25 * l * l));
-        try_add(middle, frame, sign * height * inwards, along, nullptr, 0.5 * (place(s.a) + place(s.b)));
+        try_add(middle, frame, sign * height * inwards, along, at_border_, 0.5 * (place(s.a) + place(s.b)));
     }
 
     void grow_around(std::size_t i) {
@@ -276,12 +276,13 @@ class Front {
             const Vec3 direction = x * e1 + y * e2, rough = seed.place + h_here * direction;
             if (grid_.has_near(rough, 0.5 * spacing * h_here)) continue;
             const double h = sizing_.is_uniform() ? h_here : 0.5 * (h_here + sizing_.at(rough));
-            try_add(seed.point, frame, h * direction, direction, seed.hint, seed.place);
+            void* hint = seed.hint;
+            try_add(seed.point, frame, h * direction, direction, hint, seed.place);
         }
     }
 
     /// Steps along the surface and adds what it reaches when that is inside and nothing is near.
-    void try_add(Vec2 from, const Chart::Frame& frame, const Vec3& step, const Vec3& direction, void* hint,
+    void try_add(Vec2 from, const Chart::Frame& frame, const Vec3& step, const Vec3& direction, void*& hint,
                  const Vec3& start) {
         Vec2 p;
         if (!step_in_chart(frame, step, p)) return;
@@ -323,6 +324,7 @@ class Front {
     const Heartbeat& heart_;
     PointGrid grid_;
     std::vector<Seed> seeds_;
+    void* at_border_ = nullptr;  ///< hint of the last piece: the next one is near it, and a walk along a strip is long
 };
 
 }  // namespace

@@ -9,8 +9,12 @@
 #include <CGAL/spatial_sort.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "core/errors.h"
 #include "core/messages.h"
@@ -41,13 +45,45 @@ struct WatchedPoints {
     }
 };
 
+/// Along the longest axis in stretches about as long as they are wide: a Hilbert curve takes a slender box as a cube,
+/// so that one point is as far from the next as many elements.
+std::vector<std::span<std::size_t>> stretches_of(std::vector<std::size_t>& order, std::span<const Vec3> points) {
+    constexpr double slender = 4;  ///< times as long as wide
+    Box box;
+    for (const Vec3& p : points) box.add(p);
+    const Vec3 size = box.size();
+    std::array<double, 3> sides{size.x, size.y, size.z};
+    const auto axis = std::size_t(std::max_element(sides.begin(), sides.end()) - sides.begin());
+    const double length = sides[axis];
+    sides[axis] = 0;
+    const double width = *std::max_element(sides.begin(), sides.end());
+    if (points.empty() || length < slender * width) return {order};
+    const auto along = [&](std::size_t i) {
+        const Vec3 from_low = points[i] - box.low;
+        return axis == 0 ? from_low.x : axis == 1 ? from_low.y : from_low.z;
+    };
+    const double most = double(points.size());
+    const double count = width > length / most ? std::ceil(length / width) : most;
+    const auto stretch = [&](std::size_t i) { return std::size_t(count * along(i) / length); };
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return stretch(a) < stretch(b); });
+    std::vector<std::span<std::size_t>> stretches;
+    for (std::size_t first = 0, i = 0; i < order.size(); ++i)
+        if (i + 1 == order.size() || stretch(order[i + 1]) != stretch(order[first])) {
+            stretches.push_back(std::span(order).subspan(first, i + 1 - first));
+            first = i + 1;
+        }
+    return stretches;
+}
+
 /// Along a Hilbert curve, so that each point is found near the one before.
-std::vector<std::size_t> insertion_order(const std::vector<Kernel::Point_3>& points, const RunContext& context) {
+std::vector<std::size_t> insertion_order(std::span<const Vec3> points, const std::vector<Kernel::Point_3>& converted,
+                                         const RunContext& context) {
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     RoundWatch watch(context);
-    const CGAL::Spatial_sort_traits_adapter_3<Kernel, WatchedPoints> traits(WatchedPoints{points.data(), &watch});
-    CGAL::spatial_sort<CGAL::Sequential_tag>(order.begin(), order.end(), traits);
+    const CGAL::Spatial_sort_traits_adapter_3<Kernel, WatchedPoints> traits(WatchedPoints{converted.data(), &watch});
+    for (const std::span<std::size_t> stretch : stretches_of(order, points))
+        CGAL::spatial_sort<CGAL::Sequential_tag>(stretch.begin(), stretch.end(), traits);
     return order;
 }
 
@@ -56,7 +92,7 @@ void insert_all(Delaunay& delaunay, std::span<const Vec3> points, std::size_t fi
     std::vector<Kernel::Point_3> converted;
     converted.reserve(points.size());
     for (const Vec3& p : points) converted.emplace_back(p.x, p.y, p.z);
-    const std::vector<std::size_t> order = insertion_order(converted, context);
+    const std::vector<std::size_t> order = insertion_order(points, converted, context);
     Delaunay::Vertex_handle last;
     for (std::size_t i = 0; i < order.size(); ++i) {
         if (i % 1000 == 0) context.progress(0.7 * static_cast<double>(i) / order.size());
