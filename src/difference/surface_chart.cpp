@@ -74,8 +74,11 @@ void SurfaceChart::scale_for(const UvBox& box) {
 }
 
 double SurfaceChart::period(int direction) const {
-    if (underlying_.kind == SurfaceKind::plane || underlying_.kind == SurfaceKind::free_form) return 0;
-    return direction == 0 || underlying_.kind == SurfaceKind::torus ? two_pi : 0;
+    if (underlying_.kind == SurfaceKind::plane) return 0;
+    if (underlying_.kind != SurfaceKind::free_form)
+        return direction == 0 || underlying_.kind == SurfaceKind::torus ? two_pi : 0;
+    if (direction == 0) return evaluator_.IsUPeriodic() ? evaluator_.UPeriod() : 0;
+    return evaluator_.IsVPeriodic() ? evaluator_.VPeriod() : 0;
 }
 
 bool SurfaceChart::is_pole(const Uv& uv) const {
@@ -112,6 +115,7 @@ std::optional<Uv> SurfaceChart::descend(const gp_Pnt& own, Uv uv) const {
     double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < most_steps; ++step) {
         for (int k = 0; k < 2; ++k) {
+            if (period(k) > 0) continue;  // it goes on beyond its range
             const double slack = off_ends * (last[k] - first[k]);
             uv[k] = std::clamp(uv[k], first[k] + slack, last[k] - slack);
         }
@@ -149,12 +153,13 @@ std::optional<Uv> SurfaceChart::search(const Vec3& p, const Uv& start) const {
 }
 
 std::optional<Uv> SurfaceChart::parameters(const Vec3& p, const std::optional<Uv>& previous) const {
-    if (underlying_.kind == SurfaceKind::free_form) return search(p, previous ? *previous : nearest_start(p));
-    Uv uv = parameters_of(underlying_, p);
-    if (previous && is_pole(uv)) uv[0] = (*previous)[0];
+    const bool is_free = underlying_.kind == SurfaceKind::free_form;
+    const std::optional<Uv> near = is_free && !previous ? nearest_start(p) : previous;
+    std::optional<Uv> uv = is_free ? search(p, *near) : parameters_of(underlying_, p);
+    if (!uv || !near) return uv;
+    if (is_pole(*uv)) (*uv)[0] = (*near)[0];
     for (int k = 0; k < 2; ++k)
-        if (const double full = period(k); previous && full > 0)
-            uv[k] += full * std::round(((*previous)[k] - uv[k]) / full);
+        if (const double full = period(k); full > 0) (*uv)[k] += full * std::round(((*near)[k] - (*uv)[k]) / full);
     return uv;
 }
 

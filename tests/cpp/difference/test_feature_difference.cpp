@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "difference/feature_difference.h"
 
+#include <BRepAlgoAPI_Common.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepGProp.hxx>
 #include <BRepTopAdaptor_FClass2d.hxx>
 #include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cmath>
@@ -203,6 +206,27 @@ TEST_CASE("what changed round a cylinder ends with it") {
     CHECK(changed.distance({5, 0, 15}, 50) == Approx(5).margin(1e-3));
     CHECK(changed.distance({0, -5, 21}, 50) < 0.1 / 4);
     CHECK(changed.distance({0, 0, 21}, 50) == Approx(1).margin(0.1 / 4));
+}
+
+TEST_CASE("where a face goes on beyond one period of its free-form surface") {
+    const TopoDS_Shape solid =
+        GENERATE(as<TopoDS_Shape>(), vase({0, 0, 0}, {0, 0, 1}, 10, 20), blob({0, 0, 0}, 12, 20));
+    ShapeUpgrade_UnifySameDomain across_seam(BRepAlgoAPI_Common(solid, box({0, -50, -50}, {50, 100, 100})).Shape());
+    across_seam.Build();
+    const double angle = GENERATE(-0.4, -0.01, 0.0, 0.4);
+    const auto area_of_change = [&](const TopoDS_Shape& body) {
+        const auto drilled = [&](double at) {
+            const TopoDS_Shape hole = cylinder({0, 0, 10}, {std::cos(at), std::sin(at), 0}, 1, 40);
+            return part({{"Body", Effect::adds, {body}, {}}, {"Hole", Effect::removes, {hole}, {}}});
+        };
+        const FeatureDifference d = diff(drilled(angle), drilled(angle + 0.5), 0.3);
+        double area = 0;
+        for (const auto& [a, b, c] : d.regions[0].changed.triangles()) area += 0.5 * length(cross(b - a, c - a));
+        return area;
+    };
+    const TopoDS_Shape& half = across_seam.Shape();
+    const TopoDS_Shape within_range = BRepBuilderAPI_NurbsConvert(half, true).Shape();
+    CHECK(area_of_change(half) == Approx(area_of_change(within_range)).epsilon(0.03));
 }
 
 TEST_CASE("a face whose material changes sides is changed") {
