@@ -81,6 +81,13 @@ Vec3 centroid(const std::vector<Vec3>& points) {
     return sum / double(std::max<std::size_t>(points.size(), 1));
 }
 
+/// No rigid motion changes it.
+double farthest_from(const Vec3& middle, const std::vector<Vec3>& points) {
+    double farthest = 0;
+    for (const Vec3& p : points) farthest = std::max(farthest, distance(p, middle));
+    return farthest;
+}
+
 /// Right-handed axes at three points; the columns are the axes.
 std::array<Vec3, 3> axes_at(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 x = normalized(b - a);
@@ -137,7 +144,9 @@ bool is_image(const VolumeOutline& from, const VolumeOutline& to, const RigidMot
 std::optional<RigidMotion> motion_between(const VolumeOutline& from, const VolumeOutline& to, const RigidMotion& hint,
                                           const Sameness& s) {
     if (from.points.size() != to.points.size() || from.faces.size() != to.faces.size()) return std::nullopt;
-    std::vector<RigidMotion> candidates{RigidMotion{}, shift(centroid(from.points), centroid(to.points)), hint};
+    const Vec3 was = centroid(from.points), is = centroid(to.points);
+    if (std::abs(farthest_from(was, from.points) - farthest_from(is, to.points)) > 2 * s.length) return std::nullopt;
+    std::vector<RigidMotion> candidates{RigidMotion{}, shift(was, is), hint};
     if (const auto m = from_three_points(from.points, to.points, s.length)) candidates.push_back(*m);
     for (const RigidMotion& m : candidates)
         if (is_image(from, to, m, s)) return m;
