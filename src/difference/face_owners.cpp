@@ -22,7 +22,9 @@ std::vector<FaceId> faces_at(const Brep& brep, Entity entity) {
 }  // namespace
 
 FaceOwners::FaceOwners(const PartState& state) : state_(state) {
-    if (state.cells.owners_of_final_face.empty()) by_points_.emplace(state.tree);
+    const Box& box = state.brep.box();
+    if (state.cells.owners_of_final_face.empty())
+        by_points_.emplace(state.tree, box.center() + Vec3{0.3137, 0.2281, 0.1739} * box.diagonal());
 }
 
 std::vector<Owner> FaceOwners::of(FaceId face) const {

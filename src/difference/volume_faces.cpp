@@ -83,31 +83,51 @@ std::vector<SurfacePoint> points_in_trim(const TopoDS_Face& face) {
     return inside;
 }
 
-VolumeFaces::VolumeFaces(const FeatureTree& tree) : of_feature_(tree.features.size()) {
-    for (std::size_t f = 0; f < tree.features.size(); ++f)
+VolumeFaces::VolumeFaces(const FeatureTree& tree, const Vec3& reference)
+    : reference_(reference), of_feature_(tree.features.size()), by_sort_key_(tree.features.size()) {
+    for (std::size_t f = 0; f < tree.features.size(); ++f) {
         for (std::size_t v = 0; v < tree.features[f].volumes.size(); ++v)
             for (TopExp_Explorer it(tree.features[f].volumes[v].shape, TopAbs_FACE); it.More(); it.Next()) {
                 const TopoDS_Face& face = TopoDS::Face(it.Current());
                 of_feature_[f].push_back({{FeatureId(f), int(v)}, underlying_of(face), FaceProbe(face)});
+                by_sort_key_[f].emplace_back(sort_key(of_feature_[f].back().underlying, reference),
+                                             by_sort_key_[f].size());
             }
+        std::sort(by_sort_key_[f].begin(), by_sort_key_[f].end());
+    }
+}
+
+std::vector<const VolumeFaces::OwnedFace*> VolumeFaces::faces_of(std::size_t feature,
+                                                                 const UnderlyingSurface& underlying,
+                                                                 const Box& box) const {
+    const Sameness sameness{boolean_tolerance, box.center(), 0.5 * box.diagonal()};
+    // What is as near at the face as boolean_tolerance, and as parallel, may be further apart at the reference.
+    const double window = 4 * boolean_tolerance *
+                          (1 + distance(reference_, sameness.centre) / std::max(sameness.reach, boolean_tolerance));
+    const double key = sort_key(underlying, reference_);
+    const auto& keys = by_sort_key_[feature];
+    std::vector<const OwnedFace*> found;
+    for (auto it = std::lower_bound(keys.begin(), keys.end(), std::pair(key - window, std::size_t{0}));
+         it != keys.end() && it->first <= key + window; ++it) {
+        const OwnedFace& face = of_feature_[feature][it->second];
+        // underlying surfaces first: only of those on the same one are the boxes made
+        if (same_underlying(face.underlying, underlying, sameness) && face.probe.box().overlaps(box))
+            found.push_back(&face);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
 }
 
 std::vector<Owner> VolumeFaces::owners_on(const TopoDS_Face& final_face, const Box& box,
                                           std::span<const char> is_wanted) const {
     const UnderlyingSurface underlying = underlying_of(final_face);
-    const Sameness sameness{boolean_tolerance, box.center(), 0.5 * box.diagonal()};
-    // underlying surfaces first: only of those on the same one are the boxes made
-    const auto is_candidate = [&](const OwnedFace& face) {
-        return same_underlying(face.underlying, underlying, sameness) && face.probe.box().overlaps(box);
-    };
     bool has_wanted = false;
     for (std::size_t f = 0; f < of_feature_.size() && !has_wanted; ++f)
-        has_wanted = is_wanted[f] && std::any_of(of_feature_[f].begin(), of_feature_[f].end(), is_candidate);
+        has_wanted = is_wanted[f] && !faces_of(f, underlying, box).empty();
     if (!has_wanted) return {};
     std::vector<const OwnedFace*> candidates;
-    for (const std::vector<OwnedFace>& faces : of_feature_)
-        for (const OwnedFace& face : faces)
-            if (is_candidate(face)) candidates.push_back(&face);
+    for (std::size_t f = 0; f < of_feature_.size(); ++f)
+        for (const OwnedFace* face : faces_of(f, underlying, box)) candidates.push_back(face);
     if (std::all_of(candidates.begin(), candidates.end(),
                     [&](const OwnedFace* face) { return face->owner == candidates.front()->owner; }))
         return {candidates.front()->owner};  // nobody else can have made the face

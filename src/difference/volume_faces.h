@@ -4,6 +4,7 @@
 
 #include <TopoDS_Face.hxx>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "brep/face_probe.h"
@@ -25,7 +26,8 @@ std::vector<SurfacePoint> points_in_trim(const TopoDS_Face& face);
 /// The faces of all volumes of all features. Not for concurrent use.
 class VolumeFaces {
   public:
-    explicit VolumeFaces(const FeatureTree& tree);
+    /// `reference`: a place at the part, but at no symmetry of it.
+    VolumeFaces(const FeatureTree& tree, const Vec3& reference);
     /// Owners, of the features that are marked, of the volume faces on the underlying surface of a face of the final
     /// shape that hold some of 36 points spread over it, or the only one who has faces there; sorted. What lies between
     /// those points is not found. `box` holds the face.
@@ -37,7 +39,13 @@ class VolumeFaces {
         UnderlyingSurface underlying;
         FaceProbe probe;
     };
-    std::vector<std::vector<OwnedFace>> of_feature_;  // by owner
+    /// Those of a feature on that underlying surface whose boxes meet the box, by owner.
+    std::vector<const OwnedFace*> faces_of(std::size_t feature, const UnderlyingSurface& underlying,
+                                           const Box& box) const;
+
+    Vec3 reference_;
+    std::vector<std::vector<OwnedFace>> of_feature_;                        // by owner
+    std::vector<std::vector<std::pair<double, std::size_t>>> by_sort_key_;  // of these, the places in the lists
 };
 
 }  // namespace featuremesh
