@@ -20,6 +20,14 @@ double parameter_tolerance(const UnderlyingCurve& curve, double length) {
     return length / (curve.kind == CurveKind::ellipse ? curve.second : curve.radius);
 }
 
+std::vector<Stretch> within_period(const Stretch& stretch, const UnderlyingCurve& curve, double length) {
+    const double period = period_of(curve);
+    if (period == 0 || stretch.last <= period + parameter_tolerance(curve, length)) return {stretch};
+    Stretch rest = stretch, begin = stretch;
+    rest.first = 0, rest.last = stretch.last - period, begin.last = period;
+    return {rest, begin};
+}
+
 Box moved(const Box& box, const RigidMotion& motion) {
     Box result;
     for (int corner = 0; corner < 8; ++corner)
@@ -262,19 +270,9 @@ class Matcher {
             if (s.curve < 0) continue;
             const bool left = (use.forward == s.along) == as_group;
             const int mask = use.is_internal ? 4 : left ? 1 : 2;
-            add_unwrapped({s.curve, s.first, s.last, is_new ? 0 : mask, is_new ? mask : 0}, covers);
+            for (const Stretch& part : within_period(s, match_.curves[std::size_t(s.curve)], tolerance()))
+                covers.push_back({s.curve, part.first, part.last, is_new ? 0 : mask, is_new ? mask : 0});
         }
-    }
-
-    void add_unwrapped(Cover cover, std::vector<Cover>& covers) const {
-        const double period = period_of(match_.curves[std::size_t(cover.curve)]);
-        if (period > 0 && cover.last > period + parameter_tolerance(cover.curve)) {
-            Cover rest = cover;
-            rest.first = 0, rest.last = cover.last - period;
-            cover.last = period;
-            covers.push_back(rest);
-        }
-        covers.push_back(cover);
     }
 
     double parameter_tolerance(int curve) const {

@@ -69,4 +69,8 @@ double period_of(const UnderlyingCurve& curve);
 /// Parameters of the curve no further apart are the same; `length` in mm.
 double parameter_tolerance(const UnderlyingCurve& curve, double length);
 
+/// The parts of a stretch of the curve within one period, from 0 on; all of it where the curve does not come round.
+/// `length` as above.
+std::vector<Stretch> within_period(const Stretch& stretch, const UnderlyingCurve& curve, double length);
+
 }  // namespace featuremesh

@@ -23,10 +23,9 @@ std::vector<std::vector<Cover>> covers_of_curves(const BoundaryPair& pair, const
     std::vector<std::vector<Cover>> covers(match.curves.size());
     const auto add = [&](const Stretch& s, bool is_new) {
         if (s.curve < 0) return;
-        auto& of_curve = covers[std::size_t(s.curve)];
-        const double period = period_of(match.curves[std::size_t(s.curve)]);
-        of_curve.push_back({s.first, s.last, is_new});
-        if (period > 0 && s.last > period) of_curve.push_back({s.first - period, s.last - period, is_new});
+        const UnderlyingCurve& curve = match.curves[std::size_t(s.curve)];
+        for (const Stretch& part : within_period(s, curve, pair.sameness.length))
+            covers[std::size_t(s.curve)].push_back({part.first, part.last, is_new});
     };
     const Brep &was = pair.old_model.brep(), &is = pair.new_model.brep();
     for (std::size_t e = 0; e < match.old_edges.size(); ++e)

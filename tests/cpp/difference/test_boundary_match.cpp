@@ -2,6 +2,8 @@
 #include "difference/boundary_match.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -11,6 +13,7 @@
 
 #include "brep/brep.h"
 #include "catch.h"
+#include "difference/edge_difference.h"
 #include "difference/volume_faces.h"
 
 using namespace featuremesh;
@@ -104,5 +107,21 @@ TEST_CASE("vertices that stay are matched by place") {
     for (std::size_t v = 0; v < before.vertex_count(); ++v) {
         REQUIRE(match.new_vertex_of[v].is_valid());
         CHECK(distance(before.point_of(VertexId(v)), after.point_of(match.new_vertex_of[v])) < 1e-9);
+    }
+}
+
+TEST_CASE("of a ring that is divided elsewhere only the ends have changed") {
+    const gp_Circ circle(gp_Ax2(gp_Pnt(10, 5, 2), gp_Dir(1, 2, 3)), 7);
+    const auto arc = [&](double from, double to) { return BRepBuilderAPI_MakeEdge(circle, from, to).Edge(); };
+    const double turn = 2 * M_PI;
+    const Brep was(arc(0, turn), Dimension::edges);
+    const Brep is(BRepBuilderAPI_MakeWire(arc(1, 4), arc(4, 1 + turn)).Shape(), Dimension::edges);
+    const BoundaryModel old_model{was}, new_model{is};
+    for (const auto& [from, to] : {std::pair(&old_model, &new_model), std::pair(&new_model, &old_model)}) {
+        const BoundaryPair pair{*from, *to, {}, std::nullopt, {1e-7, {10, 5, 2}, 30}};
+        std::vector<SpaceTriangle> changed;
+        append_edge_difference(pair, match_boundaries(pair), 0.5, changed);
+        CHECK(changed.size() == 3);
+        for (const auto& [a, b, c] : changed) CHECK((a == b && b == c));
     }
 }
