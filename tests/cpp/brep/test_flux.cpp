@@ -203,15 +203,15 @@ TEST_CASE("added and removed parts account for the change of volume") {
     const TopoDS_Shape before = box(0, 0, 0, 20, 10, 10);
     const TopoDS_Shape after = fused(cut(before, cylinder({15, 5, 5}, {0, 0, 1}, 2, 10)), box(2, 2, 8, 4, 4, 6));
     RunContext context;
-    const ShapeDifference difference = difference_of(before, after, 8.0, context);
+    const ShapeDifference difference = difference_of(before, after, work_of_seconds(8), context);
     CHECK(difference.closed);
     REQUIRE(difference.added.size() == 1);
     REQUIRE(difference.removed.size() == 1);
     CHECK(flux(difference.added[0], {}) == Approx(64));
     CHECK(flux(difference.removed[0], {}) == Approx(20 * pi));
-    CHECK(difference_of(before, before, 8.0, context).added.empty());
-    CHECK(difference_of({}, before, 8.0, context).added.size() == 1);
-    CHECK(difference_of(before, {}, 8.0, context).removed.size() == 1);
+    CHECK(difference_of(before, before, work_of_seconds(8), context).added.empty());
+    CHECK(difference_of({}, before, work_of_seconds(8), context).added.size() == 1);
+    CHECK(difference_of(before, {}, work_of_seconds(8), context).removed.size() == 1);
 }
 
 TEST_CASE("what was added to a shape that is not valid is not asked of the kernel") {
@@ -236,7 +236,7 @@ TEST_CASE("a concave fillet adds, a convex one removes") {
         if (concave || convex) fillet.Add(concave ? 1 : 2, TopoDS::Edge(it.Current()));
     }
     RunContext context;
-    const ShapeDifference difference = difference_of(step, fillet.Shape(), 8.0, context);
+    const ShapeDifference difference = difference_of(step, fillet.Shape(), work_of_seconds(8), context);
     CHECK(difference.closed);
     for (const TopoDS_Shape& solid : difference.added) added += flux(solid, {});
     for (const TopoDS_Shape& solid : difference.removed) removed += flux(solid, {});
@@ -264,11 +264,11 @@ std::array<TopoDS_Shape, 2> filleted_step(double hole_x, double radius) {
 TEST_CASE("what a feature did before an edit elsewhere need not be found again") {
     RunContext context;
     const auto [before, after] = filleted_step(20, 1);
-    const ShapeDifference known = difference_of(before, after, 8.0, context);
+    const ShapeDifference known = difference_of(before, after, work_of_seconds(8), context);
     REQUIRE(known.closed);
     const auto again = [&](double hole_x, double radius) {
         const auto [step, fillet] = filleted_step(hole_x, radius);
-        const ShapeDifference found = difference_of(step, fillet, 8.0, context, &known);
+        const ShapeDifference found = difference_of(step, fillet, work_of_seconds(8), context, &known);
         REQUIRE(found.closed);
         REQUIRE(found.added.size() == 1);
         CHECK(flux(found.added[0], {}) == Approx((1 - pi / 4) * 10 * radius * radius));
@@ -282,11 +282,11 @@ TEST_CASE("what a feature did before an edit elsewhere need not be found again")
 TEST_CASE("a change between the same faces is not measured again, one of the same outline is") {
     RunContext context;
     const auto [before, after] = filleted_step(20, 1);
-    ShapeDifference known = difference_of(before, after, 8.0, context);
+    ShapeDifference known = difference_of(before, after, work_of_seconds(8), context);
     known.added = {box(0, 0, 0, 1, 1, 1)};  // which is not what the fillet added
     const auto is_believed = [&](double hole_x) {
         const auto [step, fillet] = filleted_step(hole_x, 1);
-        const ShapeDifference found = difference_of(step, fillet, 8.0, context, &known);
+        const ShapeDifference found = difference_of(step, fillet, work_of_seconds(8), context, &known);
         REQUIRE(found.added.size() == 1);
         return found.added[0].IsSame(known.added[0]);
     };
@@ -307,11 +307,11 @@ std::array<TopoDS_Shape, 2> pocketed_plate(double hole_x, double depth) {
 TEST_CASE("a face of which all edges are left says where the change begins") {
     RunContext context;
     const auto [before, after] = pocketed_plate(20, 4);
-    const ShapeDifference known = difference_of(before, after, 8.0, context);
+    const ShapeDifference known = difference_of(before, after, work_of_seconds(8), context);
     REQUIRE(known.closed);
     const auto again = [&](double hole_x, double depth) {
         const auto [plate, pocketed] = pocketed_plate(hole_x, depth);
-        const ShapeDifference found = difference_of(plate, pocketed, 8.0, context, &known);
+        const ShapeDifference found = difference_of(plate, pocketed, work_of_seconds(8), context, &known);
         REQUIRE(found.closed);
         REQUIRE(found.removed.size() == 1);
         CHECK(flux(found.removed[0], {}) == Approx(pi * 9 * depth));
@@ -326,12 +326,12 @@ TEST_CASE("what could not be told of a change is not tried again until the chang
     RunContext context;
     const auto [before, after] = pocketed_plate(20, 4);
     ShapeDifference hopeless;
-    hopeless.outline = difference_of(before, after, 8.0, context).outline;
-    CHECK(difference_of(before, after, 8.0, context, &hopeless).closed);  // it was want of time
+    hopeless.outline = difference_of(before, after, work_of_seconds(8), context).outline;
+    CHECK(difference_of(before, after, work_of_seconds(8), context, &hopeless).closed);  // it was want of time
     hopeless.is_hopeless = true;
-    CHECK_FALSE(difference_of(before, after, 8.0, context, &hopeless).closed);
+    CHECK_FALSE(difference_of(before, after, work_of_seconds(8), context, &hopeless).closed);
     const auto [plate, deeper] = pocketed_plate(20, 5);
-    CHECK(difference_of(plate, deeper, 8.0, context, &hopeless).closed);
+    CHECK(difference_of(plate, deeper, work_of_seconds(8), context, &hopeless).closed);
     CHECK_FALSE(difference_of(before, after, 0, context).is_hopeless);
 }
 
@@ -352,5 +352,5 @@ TEST_CASE("a difference that is not worth its time is left open, and one that is
     RunContext context;
     CHECK_FALSE(difference_of(before, after, 0, context).closed);
     context.on_progress = [](std::string_view, double) { return false; };
-    CHECK_THROWS_AS(difference_of(before, after, 8.0, context), Cancelled);
+    CHECK_THROWS_AS(difference_of(before, after, work_of_seconds(8), context), Cancelled);
 }
