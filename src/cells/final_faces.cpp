@@ -26,6 +26,7 @@ class Matcher {
             boxes.push_back(final_faces_.back().box().grown(boolean_tolerance));
         }
         tree_.emplace(boxes);
+        for (const CellFace& face : model.faces) cell_faces_.emplace_back(face.face);
         model.owners_of_final_face.assign(final_shape.face_count(), {});
     }
 
@@ -66,7 +67,7 @@ class Matcher {
         CellFace& face = model_.faces[index];
         face.final_face = final_shape_.find(face.face);
         if (!face.final_face.is_valid()) {
-            const FaceProbe probe(face.face);
+            const FaceProbe& probe = cell_faces_[index];
             if (!probe.inner_point()) return;
             face.final_face = final_face_at(*probe.inner_point(), outward(face, probe, *probe.inner_point()));
         }
@@ -90,9 +91,10 @@ class Matcher {
         const auto& p = final_faces_[id.index()].inner_point();
         if (!p) return;
         const Vec3 normal = outward(id, *p);
-        for (CellFace& face : model_.faces) {
+        for (std::size_t f = 0; f < cell_faces_.size(); ++f) {
+            CellFace& face = model_.faces[f];
             if (is_boundary(face) != on_boundary) continue;
-            const FaceProbe probe(face.face);
+            const FaceProbe& probe = cell_faces_[f];
             if (!probe.contains(*p, boolean_tolerance)) continue;
             const double cosine = dot(outward(face, probe, *p), normal);
             if ((on_boundary ? cosine : std::abs(cosine)) < same_normal) continue;
@@ -104,8 +106,8 @@ class Matcher {
     CellModel& model_;
     const Brep& final_shape_;
     RunContext& context_;
-    std::vector<FaceProbe> final_faces_;
-    std::optional<BoxTree> tree_;  // of their boxes
+    std::vector<FaceProbe> final_faces_, cell_faces_;
+    std::optional<BoxTree> tree_;  // of the boxes of the final ones
 };
 
 }  // namespace
