@@ -16,6 +16,7 @@
 #include <optional>
 #include <utility>
 
+#include "brep/occt_geometry.h"
 #include "brep/solid_probe.h"
 #include "core/errors.h"
 #include "core/isolated_run.h"
@@ -24,8 +25,6 @@
 namespace featuremesh {
 
 namespace {
-
-Vec3 vec(const gp_Pnt& p) { return {p.X(), p.Y(), p.Z()}; }
 
 /// Height at which the vertical through (x, y) meets the triangle; false where it passes by.
 bool crossing(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y, double& z) {
@@ -55,7 +54,7 @@ Triangles triangulate_itself(const TopoDS_Shape& shape, IMeshTools_MeshAlgoType 
         for (int i = 1; i <= mesh->NbTriangles(); ++i) {
             int a, b, c;
             mesh->Triangle(i).Get(a, b, c);
-            const auto at = [&](int n) { return vec(mesh->Node(n).Transformed(location)); };
+            const auto at = [&](int n) { return to_vec3(mesh->Node(n).Transformed(location)); };
             triangles.push_back({at(a), at(b), at(c)});
         }
     }

@@ -30,8 +30,7 @@ class SolidProbe {
 
     /// `on` when p is closer to a face than 1e-7 mm along one of the rays.
     Containment containment_of(const Vec3& p) const;
-    /// Distance to the nearest face along a unit direction, further than `skip`; nothing when the ray meets none
-    /// soundly.
+    /// Distance to the nearest face along a unit direction, further than `skip`; nothing when the ray meets none.
     std::optional<double> first_hit(const Vec3& from, const Vec3& direction, double skip) const;
 
   private:

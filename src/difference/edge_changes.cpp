@@ -5,8 +5,8 @@
 
 #include "brep/occt_geometry.h"
 #include "brep/solid_probe.h"
-#include "core/tolerances.h"
 #include "difference/feature_difference.h"
+#include "difference/underlying_geometry.h"
 
 namespace featuremesh {
 
@@ -27,11 +27,10 @@ EdgeShape shape_of(const Brep& brep, EdgeId id) {
 class EdgeVerdicts {
   public:
     EdgeVerdicts(const CarriedRegion& region, const Brep& old_shape, const Brep& new_shape)
-        : region_(region), old_shape_(old_shape), new_shape_(new_shape) {
-        Box box = old_shape.box();
-        box.add(new_shape.box());
-        same_ = 10 * Tolerances{box.diagonal()}.same_geometry();
-    }
+        : region_(region),
+          old_shape_(old_shape),
+          new_shape_(new_shape),
+          same_(10 * sameness_of(old_shape.box(), new_shape.box()).length) {}
 
     std::vector<EdgeChange> run() const {
         std::vector<EdgeChange> changes;
@@ -75,7 +74,7 @@ class EdgeVerdicts {
     const CarriedRegion& region_;
     const Brep& old_shape_;
     const Brep& new_shape_;
-    double same_ = 0;  // mm; a vertex lies less exactly than an underlying surface
+    double same_;  // mm; a vertex lies less exactly than an underlying surface
 };
 
 }  // namespace

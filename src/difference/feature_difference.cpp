@@ -7,7 +7,6 @@
 #include "core/dimension.h"
 #include "core/errors.h"
 #include "core/messages.h"
-#include "core/tolerances.h"
 #include "difference/boundary_match.h"
 #include "difference/boundary_model.h"
 #include "difference/edge_difference.h"
@@ -48,12 +47,6 @@ bool FeatureDifference::is_empty() const {
 
 namespace {
 constexpr std::size_t most_motions = 64;
-
-Sameness sameness_for(const PartState& old_state, const PartState& new_state) {
-    Box box = old_state.brep.box();
-    box.add(new_state.brep.box());
-    return {Tolerances{box.diagonal()}.same_geometry(), box.center(), box.diagonal()};
-}
 
 // A motion is asked for near what moved only; beyond, the identity keeps more.
 std::optional<Box> domain_of(const MovedFeatures& moved, bool everything_moved, double resolution) {
@@ -109,7 +102,7 @@ void limit_motions(std::vector<MovedFeatures>& moved, std::vector<Message>& note
 
 FeatureDifference compare_states(const PartState& old_state, const PartState& new_state, const Resolution& resolution,
                                  RunContext& context) {
-    const Sameness sameness = sameness_for(old_state, new_state);
+    const Sameness sameness = sameness_of(old_state.brep.box(), new_state.brep.box());
     FeatureVerdicts verdicts = compare_features(old_state, new_state, sameness);
     const BoundaryModel old_model(old_state.brep), new_model(new_state.brep);
     context.progress(0.3);

@@ -8,7 +8,6 @@
 #include "brep/occt_geometry.h"
 #include "core/geometry.h"
 #include "core/ids.h"
-#include "core/tolerances.h"
 #include "difference/feature_motion.h"
 #include "difference/underlying_geometry.h"
 #include "features/feature_tree.h"
@@ -92,11 +91,7 @@ class PieceMatcher {
 
     static VolumeOutline outline(const MadePiece& piece) { return outline_of(piece.solid); }
 
-    Sameness sameness() const {
-        Box box = was_.state().brep.box();
-        box.add(is_.state().brep.box());
-        return {Tolerances{box.diagonal()}.same_geometry(), box.center(), box.diagonal()};
-    }
+    Sameness sameness() const { return sameness_of(was_.state().brep.box(), is_.state().brep.box()); }
 
     /// Lateral faces by their sketch elements, caps from the lowest to the highest.
     void match_swept(int o, int n) {

@@ -12,7 +12,6 @@
 #include "brep/solid_probe.h"
 #include "core/geometry.h"
 #include "core/ids.h"
-#include "core/tolerances.h"
 #include "difference/boundary_model.h"
 #include "difference/place_partners.h"
 #include "difference/underlying_geometry.h"
@@ -373,15 +372,11 @@ namespace {
 /// The comparison of two shapes by place, with all that it needs.
 struct PlaceComparison {
     PlaceComparison(const Brep& from, const Brep& to, const RigidMotion& motion)
-        : from_model(from), to_model(to), pair{from_model, to_model, motion, std::nullopt, sameness_for(from, to)} {
+        : from_model(from),
+          to_model(to),
+          pair{from_model, to_model, motion, std::nullopt, sameness_of(from.box(), to.box())} {
         match = match_boundaries(pair);
         find_partners(pair, match, region);
-    }
-
-    static Sameness sameness_for(const Brep& from, const Brep& to) {
-        Box box = from.box();
-        box.add(to.box());
-        return {Tolerances{box.diagonal()}.same_geometry(), box.center(), box.diagonal()};
     }
 
     const BoundaryModel from_model, to_model;

@@ -23,6 +23,8 @@
 #include <gp_Sphere.hxx>
 #include <gp_Torus.hxx>
 
+#include "core/tolerances.h"
+
 namespace featuremesh {
 
 namespace {
@@ -107,6 +109,12 @@ void recognise(UnderlyingCurve& c) {
     }
 }
 }  // namespace
+
+Sameness sameness_of(const Box& was, const Box& is) {
+    Box both = was;
+    both.add(is);
+    return {Tolerances{both.diagonal()}.same_geometry(), both.center(), both.diagonal()};
+}
 
 UnderlyingSurface underlying_of(const TopoDS_Face& face) {
     UnderlyingSurface c;

@@ -25,6 +25,9 @@ struct Sameness {
     double reach = 1.0;
 };
 
+/// Within what either of two states has, by the boxes of the two.
+Sameness sameness_of(const Box& was, const Box& is);
+
 enum class SurfaceKind { plane, cylinder, cone, sphere, torus, free_form };
 
 struct UnderlyingSurface {

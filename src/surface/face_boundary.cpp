@@ -245,10 +245,12 @@ class BoundaryBuilder {
     void add_vertices_inside() {
         const auto inside = brep_.vertices_inside(face_);
         points_.insert(points_.begin(), inside.begin(), inside.end());
+        if (points_.empty()) return;
+        const Projector projector(brep_);
         for (const VertexId vertex : points_) {
             const NodeId node = chains_.node_of(vertex);
             if (std::find(boundary_.nodes.begin(), boundary_.nodes.end(), node) != boundary_.nodes.end()) continue;
-            const auto uv = Projector(brep_).nearest(face_, brep_.point_of(vertex)).uv;
+            const auto uv = projector.nearest(face_, brep_.point_of(vertex)).uv;
             boundary_.lone_points.push_back(add_point(chart_.to_plane(chart_.in_trim_period(uv)), node));
         }
     }

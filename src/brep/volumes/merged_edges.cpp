@@ -50,10 +50,7 @@ Box box_of_curve(const TopoDS_Edge& edge, const BRepAdaptor_Curve& curve) {
 /// The parameter within the edge's range where the curve comes closer than `tolerance`.
 std::optional<double> parameter_on(const BRepAdaptor_Curve& curve, const gp_Pnt& p, double tolerance) {
     const double first = curve.FirstParameter(), last = curve.LastParameter();
-    const auto within_range = [&](double t) {
-        if (curve.GetType() != GeomAbs_Line) t = ElCLib::InPeriod(t, first, first + 2 * M_PI);
-        return t;
-    };
+    const auto within_range = [&](double t) { return ElCLib::InPeriod(t, first, first + 2 * M_PI); };
     std::optional<double> nearest;
     if (curve.GetType() == GeomAbs_Line)
         nearest = ElCLib::Parameter(curve.Line(), p);
