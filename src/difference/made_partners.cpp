@@ -73,23 +73,32 @@ class PieceMatcher {
 
     /// Without sketch elements: what is where it was, or moved with the feature.
     void match_by_place(const std::vector<int>& olds, const std::vector<int>& news, const RigidMotion& motion) {
-        std::vector<int> olds_left = olds, news_left = news;
-        for (const RigidMotion& m : {motion, RigidMotion{}})
-            for (const int o : olds)
-                for (const int n : news)
-                    if (contains(olds_left, o) && contains(news_left, n) &&
-                        is_image(outline(old_piece(o)), outline(new_piece(n)), m, sameness())) {
-                        match_in_order(o, n, m);
-                        std::erase(olds_left, o), std::erase(news_left, n);
+        const std::vector<VolumeOutline> old_outlines = outlines(was_, olds), new_outlines = outlines(is_, news);
+        std::vector<char> is_old_left(olds.size(), 1), is_new_left(news.size(), 1);
+        std::vector<RigidMotion> motions{motion};
+        if (!motion.is_identity()) motions.emplace_back();
+        for (const RigidMotion& m : motions)
+            for (std::size_t o = 0; o < olds.size(); ++o)
+                for (std::size_t n = 0; n < news.size() && is_old_left[o]; ++n)
+                    if (is_new_left[n] && is_image(old_outlines[o], new_outlines[n], m, sameness())) {
+                        match_in_order(olds[o], news[n], m);
+                        is_old_left[o] = is_new_left[n] = 0;
                     }
-        if (olds_left.size() == 1 && news_left.size() == 1) match_in_order(olds_left[0], news_left[0], motion);
+        const auto only_one = [](const std::vector<char>& left) {
+            return std::count(left.begin(), left.end(), 1) == 1;
+        };
+        const auto place = [](const std::vector<char>& left) {
+            return std::find(left.begin(), left.end(), 1) - left.begin();
+        };
+        if (only_one(is_old_left) && only_one(is_new_left))
+            match_in_order(olds[std::size_t(place(is_old_left))], news[std::size_t(place(is_new_left))], motion);
     }
 
-    static bool contains(const std::vector<int>& list, int value) {
-        return std::find(list.begin(), list.end(), value) != list.end();
+    static std::vector<VolumeOutline> outlines(const MadeFaces& made, const std::vector<int>& pieces) {
+        std::vector<VolumeOutline> list;
+        for (const int p : pieces) list.push_back(outline_of(made.pieces()[std::size_t(p)].solid));
+        return list;
     }
-
-    static VolumeOutline outline(const MadePiece& piece) { return outline_of(piece.solid); }
 
     Sameness sameness() const { return sameness_of(was_.state().brep.box(), is_.state().brep.box()); }
 
