@@ -301,17 +301,20 @@ class FaceFollower {
     /// Gives each new face that is of no old one to the one that it is most like, of several to the one that lay there.
     /// Returns whether there was one.
     bool follow_neighbours() {
+        std::vector<std::vector<FaceId>> became(taken_.size());  // by new face: old ones
+        for (const FollowedFace& followed : followed_)
+            for (const FaceId g : followed.new_faces) became[g.index()].push_back(followed.old_face);
         std::map<FaceId, std::vector<Candidate>> given;
         for (std::size_t g = 0; g < taken_.size(); ++g) {
             if (taken_[g]) continue;
             FaceId best;
             std::pair<double, bool> most, second;
-            for (std::size_t f = 0; f < followed_.size(); ++f) {
-                if (!is_open(FaceId(f)) || !may_be(FaceId(f), FaceId(g))) continue;
-                const double around = likeness(FaceId(f), FaceId(g));
-                const std::pair like(around, around > 0 && stayed_nearby(FaceId(f), box_now(FaceId(g))));
+            for (const FaceId f : open_beside(FaceId(g), became)) {
+                if (!may_be(f, FaceId(g))) continue;
+                const double around = likeness(f, FaceId(g));
+                const std::pair like(around, around > 0 && stayed_nearby(f, box_now(FaceId(g))));
                 if (like > most)
-                    second = most, most = like, best = FaceId(f);
+                    second = most, most = like, best = f;
                 else
                     second = std::max(second, like);
             }
@@ -326,6 +329,16 @@ class FaceFollower {
             followed = true;
         }
         return followed;
+    }
+
+    /// Old faces that are not followed, each with a neighbour that became one of the new face.
+    std::set<FaceId> open_beside(FaceId g, const std::vector<std::vector<FaceId>>& became) const {
+        std::set<FaceId> found;
+        for (const FaceId n : neighbours(new_.brep, g))
+            for (const FaceId h : became[n.index()])
+                for (const FaceId f : neighbours(old_.brep, h))
+                    if (is_open(f)) found.insert(f);
+        return found;
     }
 
     struct Candidate {

@@ -2,9 +2,11 @@
 #include "difference/followed_faces.h"
 
 #include <BRep_Builder.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Shell.hxx>
 #include <TopoDS_Solid.hxx>
 #include <cmath>
+#include <ctime>
 #include <utility>
 
 #include "brep/occt_geometry.h"
@@ -236,4 +238,25 @@ TEST_CASE("the kernel may list the faces of a feature in another order, too") {
         const double x = underlying_of(was.brep.face(wall)).position.Location().X();
         CHECK(underlying_of(is.brep.face(now[0])).position.Location().X() == Approx(x > 30 ? 41 : 20));
     }
+}
+
+TEST_CASE("the faces of many solids of a file are followed where all grew, and not each beside each") {
+    const auto blocks = [](int count, double height) {
+        TopoDS_Compound all;
+        BRep_Builder builder;
+        builder.MakeCompound(all);
+        for (int i = 0; i < count; ++i) builder.Add(all, box({10.0 * i, 0, 0}, {4, 4, height}));
+        PartState state = part({{"Import", Effect::adds, {all}, {}}});
+        state.tree.features[0].role = Role::base;
+        return state;
+    };
+    const auto clock_of = [&](int count) {
+        const PartState was = blocks(count, 4), is = blocks(count, 5);
+        const std::clock_t start = std::clock();
+        const std::vector<FollowedFace> followed = follow_faces(was, {}, is, {});
+        const std::clock_t end = std::clock();
+        for (const FollowedFace& face : followed) CHECK(face.new_faces == std::vector<FaceId>{face.old_face});
+        return double(end - start);
+    };
+    CHECK(clock_of(400) < 10 * clock_of(100));  // 4 times as many
 }
