@@ -12,6 +12,7 @@
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <gp_Ax2.hxx>
 #include <map>
@@ -20,6 +21,7 @@
 #include "brep/occt_geometry.h"
 #include "catch.h"
 #include "core/errors.h"
+#include "difference/face_owners.h"
 #include "difference/sample_parts.h"
 
 using namespace featuremesh;
@@ -175,6 +177,31 @@ TEST_CASE("one moved hole among 150 features") {
     CHECK(count(d, BoundaryVerdict::trimmed_differently) == 2);
     CHECK(count(d, BoundaryVerdict::vanished) == 1);
     CHECK(count(d, BoundaryVerdict::appeared) == 1);
+}
+
+TEST_CASE("the pieces of a large pattern are not compared each with each") {
+    const auto studs = [](int count, double radius) {
+        std::vector<TopoDS_Shape> all;
+        for (int i = 0; i < count; ++i)
+            all.push_back(cylinder({10.0 * (i % 20), 10.0 * (i / 20), 0.1 * i}, {0, 0, 1}, radius, 5));
+        PartState state = part({{"Studs", Effect::adds, {together(all)}, {}}});
+        state.cells.feature_volumes = {1};
+        return state;
+    };
+    const auto clock_of = [&](int count, const std::function<void(const PartState&, const PartState&)>& work) {
+        const PartState was = studs(count, 2), is = studs(count, 2.1);
+        const std::clock_t start = std::clock();
+        work(was, is);
+        return double(std::clock() - start);
+    };
+    const auto owners = [](const PartState& was, const PartState&) {
+        for (const auto& names : names_of_owners(was)) CHECK(names.size() == 1);
+    };
+    CHECK(clock_of(1600, owners) < 10 * clock_of(400, owners));  // 4 times as many
+    const auto verdict = [](const PartState& was, const PartState& is) {
+        CHECK(diff(was, is, 5).features[0].verdict == Verdict::reshaped);
+    };
+    CHECK(clock_of(1600, verdict) < 10 * clock_of(400, verdict));
 }
 
 TEST_CASE("faces that cross like a plus are partners") {
