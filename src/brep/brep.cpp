@@ -173,6 +173,47 @@ void find_free(auto& data, bool takes_lower) {
     data.body_count = next.index();
 }
 
+/// Faces with their edges, and with their bounds.
+void take_faces(auto& data, const std::vector<Bnd_Box>& bounds_of_edge, std::vector<Bnd_Box>& bounds_of_face) {
+    for (std::size_t f = 0; f < data.face.size(); ++f) {
+        for (TopExp_Explorer it(data.face[f], TopAbs_EDGE); it.More(); it.Next()) {
+            const auto edge = id_in<EdgeKind>(data.edges, it.Current());
+            const TopAbs_Orientation orientation = it.Current().Orientation();
+            data.uses_in_face[f].push_back(
+                {edge, orientation == TopAbs_FORWARD, orientation == TopAbs_INTERNAL, orientation == TopAbs_EXTERNAL});
+            if (auto& faces = data.faces_of_edge[edge.index()]; faces.empty() || faces.back() != FaceId(f)) {
+                faces.emplace_back(f);
+                data.edges_of_face[f].push_back(edge);
+            }
+        }
+        if (is_within_edges(data.face[f]))
+            for (const EdgeId e : data.edges_of_face[f]) bounds_of_face[f].Add(bounds_of_edge[e.index()]);
+        else
+            add_bounds(data.face[f], bounds_of_face[f]);
+        data.box_of_face.push_back(to_box(bounds_of_face[f]));
+    }
+}
+
+/// Its sides of the faces, and its volume. Refuses one that is open, or inside out.
+void take_solid(auto& data, SolidId solid) {
+    std::map<EdgeId, int> uses;
+    double volume = 0;
+    for (TopExp_Explorer it(data.solid[solid.index()], TopAbs_FACE); it.More(); it.Next()) {
+        const TopAbs_Orientation orientation = it.Current().Orientation();
+        if (orientation != TopAbs_FORWARD && orientation != TopAbs_REVERSED) continue;  // drawn in, bounds nothing
+        const auto face = id_in<FaceKind>(data.faces, it.Current());
+        const bool behind = orientation == data.face[face.index()].Orientation();
+        data.solids_beside[face.index()][behind ? 0 : 1] = solid;
+        // An edge within a face (where another feature is tangent to it) is no border and needs no second face.
+        for (const FaceEdge& use : data.uses_in_face[face.index()]) uses[use.edge] += use.is_internal ? 2 : 1;
+        volume += flux(TopoDS::Face(it.Current()), data.box.center(), data.box_of_face[face.index()].diagonal());
+    }
+    for (const auto& [edge, count] : uses)
+        if (count == 1 && !data.is_degenerated[edge.index()]) throw InputError(say<Code::open_shell>(solid, edge));
+    data.volumes.push_back(volume);
+    if (!(volume > 0)) throw InputError(say<Code::no_positive_volume>(solid));
+}
+
 void refuse_empty(Dimension dimension, std::size_t solids, std::size_t faces, std::size_t edges) {
     if (dimension == Dimension::solids && solids == 0) throw InputError(say<Code::no_solid>());
     if (dimension == Dimension::faces && faces == 0) throw InputError(say<Code::no_face>());
@@ -220,23 +261,7 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
         if (!data->is_degenerated[e]) add_bounds(data->edge[e], bounds_of_edge[e]);
         data->box_of_edge.push_back(to_box(bounds_of_edge[e]));
     }
-    for (std::size_t f = 0; f < data->face.size(); ++f) {
-        for (TopExp_Explorer it(data->face[f], TopAbs_EDGE); it.More(); it.Next()) {
-            const auto edge = id_in<EdgeKind>(data->edges, it.Current());
-            const TopAbs_Orientation orientation = it.Current().Orientation();
-            data->uses_in_face[f].push_back(
-                {edge, orientation == TopAbs_FORWARD, orientation == TopAbs_INTERNAL, orientation == TopAbs_EXTERNAL});
-            if (auto& faces = data->faces_of_edge[edge.index()]; faces.empty() || faces.back() != FaceId(f)) {
-                faces.emplace_back(f);
-                data->edges_of_face[f].push_back(edge);
-            }
-        }
-        if (is_within_edges(data->face[f]))
-            for (const EdgeId e : data->edges_of_face[f]) bounds_of_face[f].Add(bounds_of_edge[e.index()]);
-        else
-            add_bounds(data->face[f], bounds_of_face[f]);
-        data->box_of_face.push_back(to_box(bounds_of_face[f]));
-    }
+    take_faces(*data, bounds_of_edge, bounds_of_face);
     for (std::size_t e = 0; e < data->edge.size(); ++e) {
         TopoDS_Vertex first, last;
         TopExp::Vertices(data->edge[e], first, last);
@@ -256,26 +281,7 @@ Brep::Brep(const TopoDS_Shape& shape, Dimension dimension) {
     if (dimension == Dimension::from_shape)
         for (std::size_t e = 0; e < data->edge.size(); ++e)
             if (data->faces_of_edge[e].empty()) data->box.add(data->box_of_edge[e]);
-    for (std::size_t s = 0; s < data->solid.size(); ++s) {
-        std::vector<int> uses(data->edge.size(), 0);
-        double volume = 0;
-        for (TopExp_Explorer it(data->solid[s], TopAbs_FACE); it.More(); it.Next()) {
-            const TopAbs_Orientation orientation = it.Current().Orientation();
-            if (orientation != TopAbs_FORWARD && orientation != TopAbs_REVERSED) continue;  // drawn in, bounds nothing
-            const auto face = id_in<FaceKind>(data->faces, it.Current());
-            const bool behind = orientation == data->face[face.index()].Orientation();
-            data->solids_beside[face.index()][behind ? 0 : 1] = SolidId(s);
-            // An edge within a face (where another feature is tangent to it) is no border and needs no second face.
-            for (const FaceEdge& use : data->uses_in_face[face.index()])
-                uses[use.edge.index()] += use.is_internal ? 2 : 1;
-            volume += flux(TopoDS::Face(it.Current()), data->box.center(), data->box_of_face[face.index()].diagonal());
-        }
-        for (std::size_t e = 0; e < uses.size(); ++e)
-            if (uses[e] == 1 && !data->is_degenerated[e])
-                throw InputError(say<Code::open_shell>(SolidId(s), EdgeId(e)));
-        data->volumes.push_back(volume);
-        if (!(volume > 0)) throw InputError(say<Code::no_positive_volume>(SolidId(s)));
-    }
+    for (std::size_t s = 0; s < data->solid.size(); ++s) take_solid(*data, SolidId(s));
     find_free(*data, dimension == Dimension::from_shape);
     data_ = std::move(data);
     if (data_->dimension == Dimension::edges && !has_free_edges()) throw InputError(say<Code::no_edge>());
