@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "brep/shape_stream.h"
 
-#include <BRep_Builder.hxx>
 #include <BRep_CurveOn2Surfaces.hxx>
 #include <BRep_ListIteratorOfListOfCurveRepresentation.hxx>
 #include <BRep_ListIteratorOfListOfPointRepresentation.hxx>
@@ -14,7 +13,6 @@
 #include <BinTools_ShapeSet.hxx>
 #include <Standard_Failure.hxx>
 #include <TopLoc_Location.hxx>
-#include <TopoDS_Compound.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <array>
 #include <gp_Trsf.hxx>
@@ -243,28 +241,6 @@ std::vector<TopoDS_Shape> read_shapes(std::span<const std::byte> bytes) {
         throw StateError(say<Code::shapes_of_no_size>());
     }
     return shapes;
-}
-
-std::vector<std::byte> write_shapes(std::span<const TopoDS_Shape> shapes) {
-    TopoDS_Compound compound;
-    BRep_Builder builder;
-    builder.MakeCompound(compound);
-    for (const TopoDS_Shape& shape : shapes) {
-        TopoDS_Compound empty;
-        builder.MakeCompound(empty);
-        builder.Add(compound, shape.IsNull() ? empty : shape);
-    }
-    BinTools_ShapeSet set;
-    set.SetWithTriangles(false);
-    const int index = set.Add(compound);
-    std::ostringstream out;
-    set.Write(out);
-    BinTools::PutInteger(out, index);
-    BinTools::PutInteger(out, set.Locations().Index(compound.Location()));
-    BinTools::PutInteger(out, static_cast<int>(compound.Orientation()));
-    const std::string text = std::move(out).str();
-    const auto* begin = reinterpret_cast<const std::byte*>(text.data());
-    return {begin, begin + text.size()};
 }
 
 }  // namespace featuremesh

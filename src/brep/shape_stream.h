@@ -13,7 +13,5 @@ namespace featuremesh {
 /// The children of the compound in FreeCAD's binary BREP form. Throws StateError when it is not one. The kernel trusts
 /// what follows its header, so whoever stores the bytes guards them with a checksum.
 std::vector<TopoDS_Shape> read_shapes(std::span<const std::byte> bytes);
-/// The same bytes form, for shapes made here (tests, saved states).
-std::vector<std::byte> write_shapes(std::span<const TopoDS_Shape> shapes);
 
 }  // namespace featuremesh

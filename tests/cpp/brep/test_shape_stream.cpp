@@ -17,10 +17,12 @@
 #include <gp_Trsf.hxx>
 
 #include "brep/brep.h"
+#include "brep/written_shapes.h"
 #include "catch.h"
 #include "core/errors.h"
 
 using namespace featuremesh;
+using featuremesh::test::write_shapes;
 
 TEST_CASE("shapes survive the way FreeCAD writes them, with what they share") {
     const TopoDS_Shape box = BRepPrimAPI_MakeBox(1, 2, 3).Shape();

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "brep/shape_stream.h"
 #include "brep/shapes.h"
+#include "brep/written_shapes.h"
 #include "features/raw_document.h"
 
 namespace featuremesh::test {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "brep/shape_stream.h"
+#include "brep/written_shapes.h"
 #include "features/raw_document.h"
 
 namespace featuremesh {
@@ -50,7 +50,7 @@ class PartDocument {
     RawDocument finish() const {
         RawDocument document = document_;
         document.final_object = document.records.back().name;
-        document.shapes = write_shapes(shapes_);
+        document.shapes = test::write_shapes(shapes_);
         return document;
     }
     const TopoDS_Shape& shape(const std::string& name) const {
