@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/geometry.h"
+
 namespace featuremesh {
 
 namespace {
