@@ -8,6 +8,7 @@
 #include <Geom_Surface.hxx>
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <memory>
 #include <set>
 
@@ -32,8 +33,8 @@ class Feet {
     explicit Feet(const TopoDS_Face& face)
         : face_(face),
           surface_(face, false),
-          u_(surface_.FirstUParameter(), surface_.LastUParameter()),
-          v_(surface_.FirstVParameter(), surface_.LastVParameter()) {
+          u_(surface_.FirstUParameter(), surface_.LastUParameter(), surface_.IsUPeriodic()),
+          v_(surface_.FirstVParameter(), surface_.LastVParameter(), surface_.IsVPeriodic()) {
         if (surface_.GetType() <= GeomAbs_Torus) return;
         double u1 = 0, u2 = 0, v1 = 0, v2 = 0;
         BRepTools::UVBounds(face, u1, u2, v1, v2);
@@ -67,10 +68,13 @@ class Feet {
         Vec3 point;
     };
 
-    /// All but the ends of a range of parameters, where the kernel takes several times as long.
+    /// All but the ends of a range of parameters, where the kernel takes several times as long. A period goes on.
     struct Range {
         double low = 0, high = 0;
-        Range(double first, double last) : low(first + 1e-12 * (last - first)), high(last - 1e-12 * (last - first)) {}
+        Range(double first, double last, bool is_period) {
+            const double beyond = is_period ? std::numeric_limits<double>::infinity() : -1e-12 * (last - first);
+            low = first - beyond, high = last + beyond;
+        }
     };
 
     /// A point of the surface with its derivatives.

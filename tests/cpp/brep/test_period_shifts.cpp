@@ -4,11 +4,16 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBuilderAPI_Copy.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -18,10 +23,12 @@
 #include <numbers>
 #include <vector>
 
+#include "brep/occt_geometry.h"
 #include "brep/same_faces.h"
 #include "brep/shapes.h"
 #include "brep/volumes/flux.h"
 #include "brep/volumes/patch_volumes.h"
+#include "brep/volumes/sheet_contacts.h"
 #include "catch.h"
 
 using namespace featuremesh;
@@ -121,4 +128,26 @@ TEST_CASE("what a feature removed is told where curves of a face lie a period ap
         CHECK(flux(found->removed.front(), {}) == Approx(5 * 4 * 5 - (4 - std::numbers::pi) * 4));
         CHECK(BRepCheck_Analyzer(found->removed.front()).IsValid());
     }
+}
+
+TEST_CASE("what goes through a face beyond one period of its surface is seen") {
+    TColgp_Array1OfPnt bulging(1, 4);
+    for (int i = 0; i < 4; ++i) bulging.SetValue(i + 1, gp_Pnt(10 + (i == 1 ? 4 : 0), 0, 7.0 * i));
+    const Handle(Geom_Surface) round =
+        new Geom_SurfaceOfRevolution(GeomAPI_PointsToBSpline(bulging).Curve(), gp_Ax1(gp_Pnt(), gp::DZ()));
+    const TopoDS_Face wall = BRepBuilderAPI_MakeFace(round, 0.75 * turn, 1.25 * turn, 0, 1, 1e-7).Face();
+    const auto is_met = [&](double angle) {
+        gp_Trsf to_angle;
+        to_angle.SetRotation(gp_Ax1(gp_Pnt(), gp::DZ()), angle);
+        std::vector<PatchFace> faces{{wall, true, -1, 0}};
+        const TopoDS_Shape beam = box(1, -1, 9, 30, 2, 2).Moved(TopLoc_Location(to_angle));
+        for (TopExp_Explorer it(beam, TopAbs_FACE); it.More(); it.Next())
+            faces.push_back({TopoDS::Face(it.Current()), false, -1, faces.size() - 1});
+        const MergedEdges edges(faces);
+        ContactSheet sheet{wall, box_of(wall), true, {}};
+        for (const MergedEdges::Use& use : edges.wires_of(0).front()) sheet.border.push_back(use.piece);
+        return any_contact({sheet}, faces, edges);
+    };
+    for (const double angle : {-1.2, -0.5, 0.0, 0.5, 1.2}) CHECK(is_met(angle));
+    for (const double angle : {-2.0, 3.0, 2.0}) CHECK_FALSE(is_met(angle));
 }
