@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "brep/occt_geometry.h"
+#include "core/box_tree.h"
 #include "core/geometry.h"
 #include "core/ids.h"
 #include "sizing/source_ball.h"
@@ -110,10 +111,21 @@ class FaceBorders {
             if (!use.is_internal && !use.is_external && !brep.is_degenerated(use.edge) && !brep.is_seam(use.edge, face))
                 uses_.push_back(use);
         made_.resize(uses_.size());
+        std::vector<Box> boxes(uses_.size());
+        for (std::size_t i = 0; i < uses_.size(); ++i) boxes[i] = brep.box_of(uses_[i].edge);
+        tree_.emplace(boxes);
     }
 
     std::size_t size() const { return uses_.size(); }
     EdgeId edge(std::size_t i) const { return uses_[i].edge; }
+    /// Those whose box overlaps `box`, in ascending order.
+    std::vector<std::size_t> near(const Box& box) const {
+        std::vector<std::size_t> found;
+        tree_->visit_where([&](const Box& other) { return box.overlaps(other); },
+                           [&](std::int32_t i) { found.push_back(std::size_t(i)); });
+        std::sort(found.begin(), found.end());
+        return found;
+    }
     const Border& operator[](std::size_t i) {
         if (!made_[i]) made_[i].emplace(brep_, uses_[i]);
         return *made_[i];
@@ -123,6 +135,7 @@ class FaceBorders {
     const Brep& brep_;
     std::vector<FaceEdge> uses_;
     std::vector<std::optional<Border>> made_;
+    std::optional<BoxTree> tree_;
 };
 
 /// Those of each face, made when they are asked for.
@@ -147,17 +160,17 @@ class NarrowFaceCover {
                     std::vector<SourceBall>& out)
         : brep_(brep), face_(face), options_(options), all_(all), borders_(all.of(face)), out_(out) {}
 
-    void run() {
-        for (std::size_t i = 0; i < borders_.size(); ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                if (are_near(borders_.edge(i), borders_.edge(j)) && may_be_narrow(borders_[i], borders_[j]))
+    void run(const RunContext& context) {
+        for (std::size_t i = 0; i < borders_.size(); ++i) {
+            context.check_cancelled();
+            for (const std::size_t j : borders_.near(brep_.box_of(borders_.edge(i)).grown(widest * options_.size)))
+                if (j < i && !have_common_end(brep_, borders_.edge(i), borders_.edge(j)) &&
+                    may_be_narrow(borders_[i], borders_[j]))
                     cover(borders_[i], borders_[j]), cover(borders_[j], borders_[i]);
+        }
     }
 
   private:
-    bool are_near(EdgeId a, EdgeId b) const {
-        return brep_.box_of(a).grown(widest * options_.size).overlaps(brep_.box_of(b)) && !have_common_end(brep_, a, b);
-    }
     static bool may_be_narrow(const Border& a, const Border& b) {
         return !a.is_line() || !b.is_line() || runs_against(a.place(a.at(0.5)), b.place(b.at(0.5)));
     }
@@ -249,10 +262,9 @@ class NarrowFaceCover {
         for (const FaceId f : brep_.faces_of(edge)) {
             if (f == face_) continue;
             FaceBorders& borders = all_.of(f);
-            for (std::size_t i = 0; i < borders.size(); ++i) {
+            for (const std::size_t i : borders.near(near)) {
                 const EdgeId other = borders.edge(i);
-                if (other == edge || !brep_.box_of(other).overlaps(near) || have_common_end(brep_, other, edge))
-                    continue;
+                if (other == edge || have_common_end(brep_, other, edge)) continue;
                 const std::optional<Border::Place> across = borders[i].opposite(at.point, options_.size);
                 if (across && distance(across->point, at.point) <= options_.size &&
                     dot(across->direction, at.direction) > least_parallel_cosine)
@@ -296,10 +308,8 @@ class NarrowFaceProvider : public SizeProvider {
     void cover(SizePlaces& out, const RunContext& context) const override {
         if (!options_.refines_narrow_faces) return;
         Borders borders(brep_);
-        for (std::size_t f = 0; f < brep_.face_count(); ++f) {
-            context.check_cancelled();
-            NarrowFaceCover(brep_, FaceId(f), options_, borders, out.balls).run();
-        }
+        for (std::size_t f = 0; f < brep_.face_count(); ++f)
+            NarrowFaceCover(brep_, FaceId(f), options_, borders, out.balls).run(context);
     }
 
   private:

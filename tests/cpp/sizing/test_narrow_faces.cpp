@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Wire.hxx>
+#include <chrono>
+#include <cmath>
+#include <gp_Pln.hxx>
+#include <numbers>
 
 #include "catch.h"
 #include "sizing/sizing_field.h"
@@ -43,6 +52,23 @@ TopoDS_Shape ribbed(double height) {
 
 TopoDS_Shape cylinder(double x, double z, double radius, double height) {
     return BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, 0, z), gp_Dir(0, 0, 1)), radius, height).Shape();
+}
+
+/// Ten times as wide as it has hexagonal holes in a row.
+TopoDS_Shape perforated_plate(int holes) {
+    const auto polygon = [](double x, double y, double radius, int corners) {
+        BRepBuilderAPI_MakePolygon out;
+        for (int i = 0; i < corners; ++i) {
+            const double angle = 2 * std::numbers::pi * (i + 0.5) / corners * (corners == 4 ? 1 : -1);
+            out.Add(gp_Pnt(x + radius * std::cos(angle), y + radius * std::sin(angle), 0));
+        }
+        out.Close();
+        return out.Wire();
+    };
+    BRepBuilderAPI_MakeFace face(gp_Pln(gp::XOY()), polygon(5. * holes, 5. * holes, 5. * holes * std::sqrt(2), 4));
+    for (int i = 0; i < holes; ++i)
+        for (int k = 0; k < holes; ++k) face.Add(polygon(10. * i + 5, 10. * k + 5, 3, 6));
+    return BRepPrimAPI_MakePrism(face.Face(), gp_Vec(0, 0, 10)).Shape();
 }
 
 }  // namespace
@@ -124,4 +150,18 @@ TEST_CASE("narrow faces ask for nothing where they are not to") {
     options.refines_narrow_faces = false;
     RunContext context;
     CHECK(make_sizing(Brep(ledge(0.4)), options, {}, context).is_uniform());
+}
+
+TEST_CASE("a perforated plate is looked at sooner than it is read") {
+    const auto now = [] { return std::chrono::steady_clock::now(); };
+    const TopoDS_Shape plate = perforated_plate(50);
+    SizingOptions options;
+    options.size = size;
+    options.elements_per_circle = 0;
+    RunContext context;
+    const auto start = now();
+    const Brep brep(plate);
+    const auto is_read = now();
+    CHECK(make_sizing(brep, options, {}, context).smallest() == size);
+    CHECK(now() - is_read < is_read - start);
 }
