@@ -55,11 +55,7 @@ struct Brep::Data {
     std::vector<char> is_degenerated;
     Box box;
 
-    bool is_seam(EdgeId e, FaceId f) const {
-        const auto& uses = uses_in_face[f.index()];
-        return std::count_if(uses.begin(), uses.end(), [&](const FaceEdge& use) { return use.edge == e; }) == 2 &&
-               BRepTools::IsReallyClosed(edge[e.index()], face[f.index()]);
-    }
+    bool is_seam(EdgeId e, FaceId f) const { return BRepTools::IsReallyClosed(edge[e.index()], face[f.index()]); }
 };
 
 namespace {
