@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "update/entity_finder.h"
 
-#include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
+#include <BRep_Tool.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <algorithm>
+#include <utility>
 
 #include "brep/occt_geometry.h"
 #include "core/sort_once.h"
@@ -24,58 +26,70 @@ std::vector<FaceId> faces_at(const Brep& brep, Entity entity) {
     return faces;
 }
 
-EntityFinder::EntityFinder(const Brep& brep, double tolerance)
-    : brep_(brep),
-      tolerance_(tolerance),
-      projector_(brep),
-      edge_boxes_(brep.edge_count()),
-      face_boxes_(brep.face_count()) {
-    for (std::size_t f = 0; f < brep.face_count(); ++f)
-        if (brep.is_meshed(FaceId(f))) face_boxes_[f] = brep.box_of(FaceId(f)).grown(tolerance);
-    for (std::size_t e = 0; e < brep.edge_count(); ++e)
-        if (!brep.is_degenerated(EdgeId(e)) && !faces_at(brep, entity_of(EdgeId(e))).empty())
-            edge_boxes_[e] = box_of(brep.edge(EdgeId(e))).grown(tolerance);
+namespace {
+
+Box box_of_point(const Brep& brep, VertexId vertex) {
+    Box box;
+    box.add(brep.point_of(vertex));
+    box.add(to_vec3(BRep_Tool::Pnt(brep.vertex(vertex))));
+    return box;
 }
+
+/// Grown by the tolerance; empty where no face is meshed.
+template <class Id, class BoxOf>
+BoxTree boxes_of(const Brep& brep, std::size_t count, double tolerance, BoxOf box_of) {
+    std::vector<Box> boxes(count);
+    for (std::size_t i = 0; i < count; ++i)
+        if (const std::vector<FaceId> faces = brep.faces_at(entity_of(Id(i)));
+            std::any_of(faces.begin(), faces.end(), [&](FaceId face) { return brep.is_meshed(face); }))
+            if (const Box box = box_of(Id(i)); !box.is_empty()) boxes[i] = box.grown(tolerance);
+    return BoxTree(boxes);
+}
+
+}  // namespace
+
+EntityFinder::EntityFinder(const Brep& brep, double tolerance)
+    : EntityFinder(
+          brep, tolerance, Projector(brep),
+          std::make_shared<BoxTrees>(BoxTrees{
+              boxes_of<VertexId>(brep, brep.vertex_count(), tolerance,
+                                 [&](VertexId v) { return box_of_point(brep, v); }),
+              boxes_of<EdgeId>(brep, brep.edge_count(), tolerance, [&](EdgeId e) { return brep.box_of(e); }),
+              boxes_of<FaceId>(brep, brep.face_count(), tolerance, [&](FaceId f) { return brep.box_of(f); })})) {}
+
+EntityFinder::EntityFinder(const Brep& brep, double tolerance, Projector projector,
+                           std::shared_ptr<const BoxTrees> boxes)
+    : brep_(brep), tolerance_(tolerance), projector_(std::move(projector)), boxes_(std::move(boxes)) {}
 
 PointPlace EntityFinder::find(const Vec3& p) const {
     PointPlace place;
-    if (find_vertex(p, place) || find_edge(p, place) || find_face(p, place)) return place;
-    return {};
+    for (int dim = 0; dim < 3 && place.entity.dim == 3; ++dim) {
+        double nearest = tolerance_;
+        (*boxes_)[std::size_t(dim)].visit_around(p, [&](std::int32_t index) {
+            const double before = nearest;
+            const auto found = place_on({dim, index}, p, nearest);
+            if (found && (nearest < before || place.entity.dim == 3 || index > place.entity.index)) place = *found;
+        });
+    }
+    return place;
 }
 
-bool EntityFinder::find_vertex(const Vec3& p, PointPlace& place) const {
-    double nearest = tolerance_;
-    for (std::size_t v = 0; v < brep_.vertex_count(); ++v) {
-        const double d = brep_.distance_from(VertexId(v), p);
-        if (d > nearest || faces_at(brep_, entity_of(VertexId(v))).empty()) continue;
-        nearest = d;
-        place = {entity_of(VertexId(v)), {0, 0}};
+std::optional<PointPlace> EntityFinder::place_on(Entity entity, const Vec3& p, double& nearest) const {
+    PointPlace place{entity, {0, 0}};
+    double distance = 0;
+    if (entity.dim == 0) {
+        distance = brep_.distance_from(VertexId(entity.index), p);
+    } else if (entity.dim == 1) {
+        const OnEdge foot = projector_.nearest(EdgeId(entity.index), p);
+        distance = foot.distance, place.parameters[0] = foot.t;
+    } else {
+        const OnFace foot = projector_.nearest(FaceId(entity.index), p);
+        distance = foot.distance, place.parameters = foot.uv;
+        if (distance <= nearest && !projector_.is_inside_trim(FaceId(entity.index), foot.uv)) return {};
     }
-    return place.entity.dim == 0;
-}
-
-bool EntityFinder::find_edge(const Vec3& p, PointPlace& place) const {
-    double nearest = tolerance_;
-    for (std::size_t e = 0; e < edge_boxes_.size(); ++e) {
-        if (!edge_boxes_[e].contains(p)) continue;
-        const OnEdge foot = projector_.nearest(EdgeId(e), p);
-        if (foot.distance > nearest) continue;
-        nearest = foot.distance;
-        place = {entity_of(EdgeId(e)), {foot.t, 0}};
-    }
-    return place.entity.dim == 1;
-}
-
-bool EntityFinder::find_face(const Vec3& p, PointPlace& place) const {
-    double nearest = tolerance_;
-    for (std::size_t f = 0; f < face_boxes_.size(); ++f) {
-        if (!face_boxes_[f].contains(p)) continue;
-        const OnFace foot = projector_.nearest(FaceId(f), p);
-        if (foot.distance > nearest || !projector_.is_inside_trim(FaceId(f), foot.uv)) continue;
-        nearest = foot.distance;
-        place = {entity_of(FaceId(f)), foot.uv};
-    }
-    return place.entity.dim == 2;
+    if (distance > nearest) return {};
+    nearest = distance;
+    return place;
 }
 
 }  // namespace featuremesh

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "brep/brep.h"
+#include "core/box_tree.h"
 #include "core/geometry.h"
 #include "core/ids.h"
 #include "surface/projection.h"
@@ -25,6 +28,8 @@ class EntityFinder {
   public:
     /// Points are on an entity that is no further away than `tolerance`, mm.
     EntityFinder(const Brep& brep, double tolerance);
+    /// Of the same shape, for another thread.
+    EntityFinder another() const { return {brep_, tolerance_, projector_.another(), boxes_}; }
 
     /// The entity of lowest dimension that the point lies on, the nearest of several; none (dimension 3) off the
     /// boundary.
@@ -33,14 +38,15 @@ class EntityFinder {
     const Projector& projector() const { return projector_; }
 
   private:
-    bool find_vertex(const Vec3& p, PointPlace& place) const;
-    bool find_edge(const Vec3& p, PointPlace& place) const;
-    bool find_face(const Vec3& p, PointPlace& place) const;
+    using BoxTrees = std::array<BoxTree, 3>;  // by dimension, without what no solid uses
+    EntityFinder(const Brep& brep, double tolerance, Projector projector, std::shared_ptr<const BoxTrees> boxes);
+    /// The point on an entity, if it is no further away than `nearest`, which it lowers.
+    std::optional<PointPlace> place_on(Entity entity, const Vec3& p, double& nearest) const;
 
     const Brep& brep_;
     double tolerance_;
     Projector projector_;
-    std::vector<Box> edge_boxes_, face_boxes_;  // empty for what no solid uses
+    std::shared_ptr<const BoxTrees> boxes_;
 };
 
 /// What an entity touches: itself, and what it bounds. Each ascending.

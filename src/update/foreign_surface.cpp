@@ -108,7 +108,7 @@ class Matcher {
         for (std::size_t n = 0; n < is_wanted.size(); ++n)
             if (is_wanted[n]) wanted.push_back(n);
         parallel_for(context_, wanted.size(), 4096, [&](std::size_t begin, std::size_t end) {
-            const EntityFinder finder(brep_, tolerance_);
+            const EntityFinder finder = finder_.another();
             for (std::size_t i = begin; i < end; ++i) out_.places[wanted[i]] = finder.find(mesh_.points[wanted[i]]);
         });
         for (const std::size_t n : wanted)
