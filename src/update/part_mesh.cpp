@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <span>
@@ -22,7 +23,6 @@
 #include "mesh/validation.h"
 #include "sizing/girth.h"
 #include "sizing/lost_sizes.h"
-#include "sizing/size_zone.h"
 #include "sizing/zone_notes.h"
 #include "surface/merged_entities.h"
 #include "update/adopted_sizes.h"
@@ -45,41 +45,43 @@ namespace {
 // that closely at everything that changed.
 constexpr double resolution_of_changes = 1.0 / 3, finest_resolution_needed = 0.5, coarsest_resolution_needed = 0.05;
 
-/// The refinement without which there would be less than half of so many elements; nothing where no single one is to
-/// blame.
-std::variant<std::monostate, SizeZone, LocalSize> refinement_to_blame(const Brep& brep, const SizingOptions& options,
-                                                                      double elements, RunContext& context) {
-    std::variant<std::monostate, SizeZone, LocalSize> blamed;
+/// Blames the refinement without which there would be less than half of so many elements, else the size. All places of
+/// one local size are one refinement.
+Message say_too_many(const Brep& brep, const MeshOptions& options, double elements, RunContext& context) {
+    const auto millions = [](double count) { return count < 1e18 ? std::llround(count / 1e6) : 1'000'000'000'000; };
+    const SizingOptions& sizing = options.sizing;
+    Message said = say<Code::too_many_elements>(Length{sizing.size}, millions(elements), millions(options.most_tets));
     double least = 0.5 * elements;
-    const auto try_without = [&](auto SizingOptions::*refinements) {
-        for (std::size_t i = 0; i < (options.*refinements).size(); ++i) {
-            SizingOptions others = options;
-            (others.*refinements).erase((others.*refinements).begin() + std::ptrdiff_t(i));
-            const double left = estimate_elements(brep, make_sizing(brep, others, {}, context), context);
-            if (left >= least) continue;
-            least = left;
-            blamed = (options.*refinements)[i];
-        }
+    const auto is_much_less = [&](const SizingOptions& others) {
+        const double left = estimate_elements(brep, make_sizing(brep, others, {}, context), context);
+        if (left >= least) return false;
+        least = left;
+        return true;
     };
-    try_without(&SizingOptions::zones);
-    try_without(&SizingOptions::local);
-    return blamed;
+    for (std::size_t i = 0; i < sizing.zones.size(); ++i) {
+        SizingOptions others = sizing;
+        others.zones.erase(others.zones.begin() + std::ptrdiff_t(i));
+        if (is_much_less(others))
+            said = say<Code::zone_makes_too_many>(sizing.zones[i].name, Length{sizing.zones[i].inner},
+                                                  millions(elements), millions(options.most_tets));
+    }
+    std::map<double, std::vector<Entity>> places;
+    for (const LocalSize& local : sizing.local) places[local.size].push_back(local.entity);
+    for (const auto& [size, entities] : places) {
+        SizingOptions others = sizing;
+        std::erase_if(others.local, [size = size](const LocalSize& local) { return local.size == size; });
+        if (is_much_less(others))
+            said = say<Code::local_size_makes_too_many>(entities, Length{size}, millions(elements),
+                                                        millions(options.most_tets));
+    }
+    return said;
 }
 
 /// What is wrong with so many tets, if there are too many.
 Message if_too_many(const Brep& brep, const SizingField& sizing, const MeshOptions& options, RunContext& context) {
     if (brep.dimension() == Dimension::solids && !may_ask_for_more_tets(brep, sizing, options.most_tets)) return {};
     const double tets = estimate_elements(brep, sizing, context, options.most_tets);
-    if (tets <= options.most_tets) return {};
-    const auto millions = [](double count) { return count < 1e18 ? std::llround(count / 1e6) : 1'000'000'000'000; };
-    const auto refinement = refinement_to_blame(brep, options.sizing, tets, context);
-    if (const auto* zone = std::get_if<SizeZone>(&refinement))
-        return say<Code::zone_makes_too_many>(zone->name, Length{zone->inner}, millions(tets),
-                                              millions(options.most_tets));
-    if (const auto* local = std::get_if<LocalSize>(&refinement))
-        return say<Code::local_size_makes_too_many>(local->entity, Length{local->size}, millions(tets),
-                                                    millions(options.most_tets));
-    return say<Code::too_many_elements>(Length{options.sizing.size}, millions(tets), millions(options.most_tets));
+    return tets <= options.most_tets ? Message{} : say_too_many(brep, options, tets, context);
 }
 
 /// Of the elements that fill the part.
