@@ -8,6 +8,7 @@
         placement, global_placement: 16 floats, 4x4 matrix row by row; global_placement maps the object's own frame to the final shape's frame
         numbers: dict str -> float          numeric and boolean parameters (mm, degrees)
         texts: dict str -> str              enumerations
+        measures: dict str -> str           if given: which numbers are a "length", which an "angle"
         shape, own_volume: int              index into the shapes (both already in the final shape's frame), -1 for none
         suppressed: bool
         error: str                          FreeCAD's message when the feature is in error, else ""
@@ -18,7 +19,10 @@
 `options` is a dict with at least size (mm); further min_size, elements_per_circle, elements_across_gap, growth, order (1, 2), threads,
 dimension ("from_shape", which takes solids, else faces, else edges; "solids", "faces", "edges"),
 target_dihedral_deg, keep_margin (in edge lengths; 0 is as the sizes need), ignore_below (mm; smaller details get no
-elements of their own; 0: those below a thousandth of the size, unless the part is refused without them; negative: none), local: list of ("Face12", size).
+elements of their own; 0: those below a thousandth of the size, unless the part is refused without them; negative: none),
+most_tets (more are refused), local: list of ("Face12", size), zones: list of dicts with name, inner, outer (mm; 0: size), transition (mm) and shape:
+"near" with entities (list of "Face12") and reach (mm), or, with rotation (9 floats, row by row) and translation (mm) in the part, "box" with sides (3),
+"sphere" with radius, "cylinder" with radius and height (mm).
 
 `progress(step: str, share: float) -> bool`: return False to cancel (raises Cancelled).
 """
@@ -108,10 +112,12 @@ def statics_pressure(arrays: dict, triangles: np.ndarray, pressure: float) -> np
 def statics_area_shares(arrays: dict, triangles: np.ndarray) -> np.ndarray: """(n,) mm^2: each node's part where a force is spread over the triangles."""
 def statics_length_shares(arrays: dict, segments: np.ndarray) -> np.ndarray: """(n,) mm, likewise over segments."""
 def statics_bodies(arrays: dict) -> np.ndarray: """(m,) by tet the body that it belongs to; tets of a body hang together by their sides."""
-def solve_statics(arrays: dict, model: dict, keep: str = "", threads: int = 1, progress: Progress = None) -> dict[str, Any]:
+def solve_statics(arrays: dict, model: dict, keep: str = "", threads: int = 1, progress: Progress = None,
+                  start: tuple[np.ndarray, np.ndarray] | None = None) -> dict[str, Any]:
     """Linear statics. `model`: materials (k,3), tet_materials (m,), loads (n,3) N, held (n,3) bool, given (n,3) mm. The answer: displacements (n,3) mm,
     stresses (n,6) MPa (xx, yy, zz, xy, yz, zx), von_mises (n,), reactions (n,3) N, strain_energy (N mm), iterations, residual, energy_error,
-    discretisation_error (an estimate, of the energy norm), kept_preconditioner, kept_start_share, seconds by step. What is kept under the name `keep` makes the next solution of that name faster."""
+    discretisation_error (an estimate, of the energy norm), preconditioner (its name), kept_preconditioner, kept_start_share, seconds by step.
+    What is kept under the name `keep` makes the next solution of that name faster; where nothing is, `start` may be (node_numbers (n,), displacements (n,3) mm) of an earlier one."""
 def forget_statics(keep: str) -> None: ...
 def write_activity_of_crash_to(descriptor: int) -> None:
     """From now on a crash of the process first writes what its thread was working on ("surface, Face12") to the file descriptor."""
