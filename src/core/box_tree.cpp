@@ -5,8 +5,8 @@ namespace featuremesh {
 
 BoxTree::BoxTree(std::span<const Box> boxes) {
     items_.reserve(boxes.size());
-    for (std::size_t i = 0; i < boxes.size();
-         ++i)  // an empty one is never met, and its middle has no place in any order
+    // an empty one is never met, and its middle has no place in any order
+    for (std::size_t i = 0; i < boxes.size(); ++i)
         if (!boxes[i].is_empty()) items_.push_back({boxes[i], std::int32_t(i)});
     nodes_.reserve(items_.size());
     if (!items_.empty()) build(0, std::int32_t(items_.size()));

@@ -37,7 +37,7 @@ inline Vec3 normalized(const Vec3& a) {
     return l > 0 ? a / l : a;
 }
 
-/// Six times the volume of the tet (a, b, c, d) is `6 V`; positive when d lies where (b-a)x(c-a) points.
+/// Of the tet (a, b, c, d); positive where d is on the side that (b-a)x(c-a) points to.
 constexpr double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     return dot(cross(b - a, c - a), d - a) / 6.0;
 }

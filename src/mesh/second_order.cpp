@@ -70,10 +70,6 @@ struct Piece {
 
 Piece piece_of(const Coefficients& c, int depth) { return {c, *std::min_element(c.begin(), c.end()), depth}; }
 
-}  // namespace
-
-namespace {
-
 /// dx/d(lambda_k - lambda_0) = 2 sum over a of lambda_a direction[a][k]
 using Directions = std::array<std::array<Vec3, 3>, 4>;
 
@@ -112,10 +108,6 @@ constexpr std::array<int, 20> make_term_counts() {
     return terms;
 }
 constexpr std::array<int, 20> term_counts = make_term_counts();
-
-}  // namespace
-
-namespace {
 
 Coefficients coefficients_of(const Directions& direction) {
     Coefficients sum{};
