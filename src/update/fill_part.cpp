@@ -86,7 +86,7 @@ void validate(const Mesh& mesh, const Brep& brep, Kept kept, std::size_t first_n
     }
     const std::vector<TriangleId> turned = turned_triangles(brep, mesh, expected.is_unproven, context);
     if (turned.empty()) return;
-    attempt.request = for_turned_triangles(mesh, turned);
+    attempt.request = for_triangles(mesh, turned, SizeReason::cannot_follow);
     attempt.refusal = turned_over(mesh, turned);
 }
 
@@ -102,17 +102,6 @@ void widen_rim(const Mesh& mesh, std::size_t kept_triangles, Kept& kept) {
             is_rim = 1;
         }
     if (is_wider) kept.rim_tets = tets_at_nodes(mesh, kept.is_rim);
-}
-
-/// Half of their longest sides.
-SizeRequest for_bent_triangles(const Mesh& mesh, const std::vector<TriangleId>& bent) {
-    SizeRequest request{SizeReason::folded, as_parameter(mesh.triangle_faces[bent.front().index()]), {}};
-    for (const TriangleId t : bent) {
-        const auto& [a, b, c] = mesh.triangles[t.index()];
-        const Vec3 p = mesh.point(a), q = mesh.point(b), r = mesh.point(c);
-        request.lengths.push_back({(p + q + r) / 3, 0.5 * std::max({distance(p, q), distance(q, r), distance(r, p)})});
-    }
-    return request;
 }
 
 Filled filled_of(Mesh mesh, const SurfaceReport& surface, VolumeResult volume) {
@@ -145,7 +134,7 @@ std::vector<TriangleId> ask_for_bent_shells(const Brep& brep, const Mesh& mesh, 
     constexpr double wanted_scaled_jacobian = 0.2;
     const std::vector<TriangleId> bent = shell_triangles_below(brep, mesh, kept, wanted_scaled_jacobian);
     if (bent.empty()) return {};
-    attempt.request = for_bent_triangles(mesh, bent);
+    attempt.request = for_triangles(mesh, bent, SizeReason::folded);
     std::vector<TriangleId> folded;
     for (const TriangleId t : bent) {
         const double jacobian = min_scaled_jacobian(triangle_nodes(mesh, t));

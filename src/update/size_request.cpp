@@ -19,9 +19,9 @@ SizeSource half_length_at(const Mesh& mesh, std::size_t triangle) {
 
 }  // namespace
 
-SizeRequest for_turned_triangles(const Mesh& mesh, const std::vector<TriangleId>& turned) {
-    SizeRequest request{SizeReason::cannot_follow, as_parameter(mesh.triangle_faces[turned.front().index()])};
-    for (const TriangleId t : turned) request.lengths.push_back(half_length_at(mesh, t.index()));
+SizeRequest for_triangles(const Mesh& mesh, const std::vector<TriangleId>& triangles, SizeReason reason) {
+    SizeRequest request{reason, as_parameter(mesh.triangle_faces[triangles.front().index()])};
+    for (const TriangleId t : triangles) request.lengths.push_back(half_length_at(mesh, t.index()));
     return request;
 }
 

@@ -41,8 +41,9 @@ struct Round {
 /// A filling is repeated so often at most, whatever the reasons, and so often in a row without a gain.
 constexpr std::size_t most_rounds = 6, most_rounds_that_keep = 3, most_rounds_in_vain = 2;
 
-/// For triangles that lie the wrong way round on their faces; at least one.
-SizeRequest for_turned_triangles(const Mesh& mesh, const std::vector<TriangleId>& turned);
+/// For half the longest sides of at least one triangle, which is not as it should be.
+SizeRequest for_triangles(const Mesh& mesh, const std::vector<TriangleId>& triangles, SizeReason reason);
+/// Says that these lie the wrong way round on their faces.
 Message turned_over(const Mesh& mesh, const std::vector<TriangleId>& turned);
 
 /// The solids whose tets have a volume that is off by more than the share `tolerance`.
