@@ -57,53 +57,50 @@ void cut_triangle(std::array<int, 3> corners, std::array<int, 3> mids, int facet
     add(corners[0], mids[1], corners[2]);
 }
 
-/// Which CAD entity an added point belongs to, and where on it.
-class Placement {
-  public:
-    Placement(const Cavity& cavity, const Projector& projector, double on_entity, const Mesh& mesh)
-        : cavity_(cavity), projector_(projector), on_entity_(on_entity) {
-        for (std::size_t i = 0; i < mesh.segments.size(); ++i)
-            edge_of_.emplace(sorted_pair(mesh.segments[i][0], mesh.segments[i][1]), mesh.segment_edges[i]);
-    }
-
-    NodeId add(const FacetSplit::Added& added, FaceId face, Mesh& mesh) const {
-        if (added.edge[0] >= 0) {
-            const auto edge = edge_of_.find(pair_of(added, cavity_));
-            if (edge != edge_of_.end()) {
-                const OnEdge on = projector_.nearest(edge->second, added.point);
-                return mesh.add_node(on.distance < on_entity_ ? added.point : on.point, entity_of(edge->second),
-                                     {on.t, 0});
-            }
-        }
-        const OnFace on = projector_.nearest(face, added.point);
-        return mesh.add_node(on.distance < on_entity_ ? added.point : on.point, entity_of(face), on.uv);
-    }
-
-  private:
-    const Cavity& cavity_;
-    const Projector& projector_;
-    double on_entity_;  ///< a point this near stays, so that exact decisions about it hold
-    std::map<NodePair, EdgeId> edge_of_;
+/// A segment with added points on it.
+struct CutSegment {
+    std::size_t segment;
+    std::vector<int> points;
 };
 
-/// By added point: a CAD face whose triangles have it.
-std::vector<FaceId> faces_of_points(const FacetSplit& split, const Cavity& cavity, const Mesh& mesh) {
-    std::vector<FaceId> faces(split.added.size());
+std::vector<CutSegment> cut_segments_of(const FacetSplit& split, const Cavity& cavity, const Mesh& mesh) {
+    std::vector<CutSegment> cut;
+    const auto by_edge = points_by_edge(split, cavity);
+    if (by_edge.empty()) return cut;
+    for (std::size_t i = 0; i < mesh.segments.size(); ++i) {
+        const auto found = by_edge.find(sorted_pair(mesh.segments[i][0], mesh.segments[i][1]));
+        if (found != by_edge.end()) cut.push_back({i, found->second});
+    }
+    return cut;
+}
+
+/// By added point: the CAD edge whose segment or a CAD face whose triangles have it.
+std::vector<Entity> entities_of_points(const FacetSplit& split, const std::vector<CutSegment>& cut,
+                                       const Cavity& cavity, const Mesh& mesh) {
+    std::vector<Entity> entities(split.added.size());
     const int given = static_cast<int>(cavity.points.size());
     for (const auto& piece : split.pieces)
         for (const int c : piece.corners)
-            if (c >= given) faces[c - given] = mesh.triangle_faces[cavity.triangle_of_facet[piece.facet].index()];
-    return faces;
+            if (c >= given)
+                entities[c - given] = entity_of(mesh.triangle_faces[cavity.triangle_of_facet[piece.facet].index()]);
+    for (const CutSegment& segment : cut)
+        for (const int point : segment.points) entities[point] = entity_of(mesh.segment_edges[segment.segment]);
+    return entities;
 }
 
-void cut_segments(const FacetSplit& split, const Cavity& cavity, const std::vector<NodeId>& nodes, Mesh& mesh) {
-    const auto by_edge = points_by_edge(split, cavity);
-    const std::size_t count = mesh.segments.size();
-    for (std::size_t i = 0; i < count; ++i) {
+/// A point nearer to its entity than `on_entity` stays, so that exact decisions about it hold.
+NodeId add_node(const Vec3& point, Entity entity, const Projector& projector, double on_entity, Mesh& mesh) {
+    if (entity.dim == 1) {
+        const OnEdge on = projector.nearest(EdgeId(entity.index), point);
+        return mesh.add_node(on.distance < on_entity ? point : on.point, entity, {on.t, 0});
+    }
+    const OnFace on = projector.nearest(FaceId(entity.index), point);
+    return mesh.add_node(on.distance < on_entity ? point : on.point, entity, on.uv);
+}
+
+void cut_segments(const FacetSplit& split, std::vector<CutSegment> cut, const std::vector<NodeId>& nodes, Mesh& mesh) {
+    for (auto& [i, along] : cut) {
         const NodeId first = mesh.segments[i][0], last = mesh.segments[i][1];
-        const auto found = by_edge.find(sorted_pair(first, last));
-        if (found == by_edge.end()) continue;
-        std::vector<int> along = found->second;
         const Vec3 direction = mesh.point(last) - mesh.point(first);
         std::sort(along.begin(), along.end(), [&](int a, int b) {
             return dot(direction, split.added[a].point) < dot(direction, split.added[b].point);
@@ -207,14 +204,14 @@ std::vector<TetId> tets_in_the_way(const FacetSplit& split, const Cavity& cavity
 
 std::vector<NodeId> apply_split(const FacetSplit& split, const Cavity& cavity, const Projector& projector,
                                 double on_entity, Mesh& mesh, const RunContext& context) {
-    const std::vector<FaceId> faces = faces_of_points(split, cavity, mesh);
-    const Placement placement(cavity, projector, on_entity, mesh);
+    std::vector<CutSegment> cut = cut_segments_of(split, cavity, mesh);
+    const std::vector<Entity> entities = entities_of_points(split, cut, cavity, mesh);
     std::vector<NodeId> nodes;
     for (std::size_t i = 0; i < split.added.size(); ++i) {
         context.check_cancelled();
-        nodes.push_back(placement.add(split.added[i], faces[i], mesh));
+        nodes.push_back(add_node(split.added[i].point, entities[i], projector, on_entity, mesh));
     }
-    cut_segments(split, cavity, nodes, mesh);
+    cut_segments(split, std::move(cut), nodes, mesh);
     cut_triangles(split, cavity, nodes, mesh);
     mesh.corner_count = mesh.points.size();
     return nodes;
