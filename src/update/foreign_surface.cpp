@@ -295,7 +295,7 @@ class Matcher {
     void release_uncovered() {
         const std::vector<double> reach = longest_sides(mesh_);
         const double longest = *std::max_element(reach.begin(), reach.end());
-        sample_open_faces(brep_, mesh_, out_.triangles, spacing(), out_.misfits.open_faces, gaps_);
+        sample_open_faces(brep_, mesh_, out_.triangles, spacing(), out_.misfits.open_faces, gaps_, context_);
         if (gaps_.empty()) return;
         const PointGrid grid(gaps_, longest + spacing());
         parallel_for(context_, mesh_.corner_count, 4096, [&](std::size_t begin, std::size_t end) {

@@ -60,7 +60,8 @@ void sample_edge(const Brep& brep, EdgeId edge, EdgeRange piece, double spacing,
 }
 
 void sample_open_faces(const Brep& brep, const Mesh& mesh, const std::vector<MatchedTriangle>& triangles,
-                       double spacing, std::vector<FaceId>& open, std::vector<Vec3>& points) {
+                       double spacing, std::vector<FaceId>& open, std::vector<Vec3>& points,
+                       const RunContext& context) {
     std::vector<std::vector<Vec3>> corners(brep.face_count());
     std::vector<double> longest(brep.face_count(), 0);
     for (const MatchedTriangle& t : triangles)
@@ -70,6 +71,7 @@ void sample_open_faces(const Brep& brep, const Mesh& mesh, const std::vector<Mat
                 std::max(longest[t.face.index()], distance(mesh.point(t.nodes[k]), mesh.point(t.nodes[(k + 1) % 3])));
         }
     const Projector projector(brep);
+    RoundWatch watch(context);
     for (std::size_t f = 0; f < brep.face_count(); ++f) {
         if (!brep.is_meshed(FaceId(f))) continue;
         const double reach = nearest_corner * longest[f] + spacing;
@@ -79,6 +81,7 @@ void sample_open_faces(const Brep& brep, const Mesh& mesh, const std::vector<Mat
         for (const auto& triangle : triangulate(brep.face(FaceId(f)).Oriented(TopAbs_FORWARD)))
             cover(triangle, spacing, samples);
         for (const Vec3& p : samples) {
+            watch();
             if (grid.has_within(p, reach)) continue;
             const Vec3 foot =
                 projector.nearest(FaceId(f), p).point;  // the triangulation is coarse where the face is large

@@ -7,6 +7,7 @@
 #include "brep/brep.h"
 #include "core/geometry.h"
 #include "core/ids.h"
+#include "core/run_context.h"
 #include "mesh/mesh.h"
 #include "update/foreign_surface.h"
 
@@ -23,7 +24,7 @@ void sample_edge(const Brep& brep, EdgeId edge, EdgeRange piece, double spacing,
 /// Appends points not further apart than `spacing` wherever a face has no triangle near, and the faces where that is
 /// so.
 void sample_open_faces(const Brep& brep, const Mesh& mesh, const std::vector<MatchedTriangle>& triangles,
-                       double spacing, std::vector<FaceId>& open, std::vector<Vec3>& points);
+                       double spacing, std::vector<FaceId>& open, std::vector<Vec3>& points, const RunContext& context);
 
 /// By corner node: the longest side of the tets around it, mm.
 std::vector<double> longest_sides(const Mesh& mesh);

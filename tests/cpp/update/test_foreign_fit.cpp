@@ -12,6 +12,7 @@
 #include "foreign_copy.h"
 #include "part_documents.h"
 #include "update/part_mesh.h"
+#include "update/shape_coverage.h"
 
 using namespace featuremesh;
 
@@ -114,4 +115,13 @@ TEST_CASE("a mesh in other units is refused, too, however much of the part it le
     for (Vec3& p : metres.points) p *= 1e-3;
     const Brep rod(BRepPrimAPI_MakeBox(gp_Pnt(10, 0, 0), 100, 2, 2).Shape());
     CHECK_THROWS_AS(fitted(rod, metres), InputError);
+}
+
+TEST_CASE("looking for bare places can be cancelled") {
+    const Brep brep(BRepPrimAPI_MakeBox(100, 100, 100).Shape());
+    std::vector<FaceId> open;
+    std::vector<Vec3> points;
+    RunContext context;
+    context.cancel();
+    CHECK_THROWS_AS(sample_open_faces(brep, {}, {}, 1, open, points, context), Cancelled);
 }
