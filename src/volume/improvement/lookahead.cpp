@@ -223,7 +223,8 @@ class Lookahead : public Operation {
             }
         for (std::size_t v = 0; v < points.size(); ++v)
             if (const SurfaceVertex* of = mesh_.surface_vertex(points[v]); of && copy.mobility[v] != Mobility::fixed)
-                patch.surface.push_back({static_cast<int>(v), of->on, of->parameters});
+                patch.surface.push_back(
+                    {static_cast<int>(v), of->on, of->parameters, of->is_kept && !mesh_.has_moved(points[v])});
         return patch;
     }
 

@@ -86,6 +86,21 @@ TEST_CASE("looking ahead helps tets that no single operation helps") {
     CHECK(after < 0.7 * before);
 }
 
+TEST_CASE("looking ahead moves fewer nodes of the surface where these are to stay") {
+    std::size_t moved[2] = {0, 0};
+    for (const bool are_kept : {false, true})
+        for (const double width : {0.3, 0.5})
+            for (const double size : {4.0, 3.0, 2.0}) {
+                StuckPart stuck(cut_corner(width), size);
+                for (SurfaceVertex& v : stuck.vertices) v.is_kept = are_kept;
+                const TetComplex start = stuck.complex;
+                stuck.look_ahead();
+                for (const SurfaceVertex& v : stuck.vertices)
+                    moved[are_kept] += start.points[v.vertex] != stuck.complex.points[v.vertex];
+            }
+    CHECK(moved[true] < moved[false]);
+}
+
 TEST_CASE("looking ahead gives the same each time, and nothing where all tets are good") {
     StuckPart first(cut_corner(0.5), 4), second(cut_corner(0.5), 4), good(cut_corner(0.8), 4);
     CHECK(first.look_ahead() > 0);
