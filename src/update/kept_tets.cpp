@@ -307,10 +307,11 @@ bool KeptTets::is_settled() const {
 void KeptTets::settle_everywhere(const Brep& new_brep) {
     const SolidLocator locator(new_brep);
     solids_.assign(is_kept_.size(), SolidId());
+    std::vector<std::vector<std::int32_t>> kept(solid_count_);
+    for (std::size_t t = 0; t < is_kept_.size(); ++t)
+        if (is_kept_[t]) kept[old_.tet_solids[t].index()].push_back(std::int32_t(t));
     for (std::size_t s = 0; s < solid_count_; ++s) {
-        std::vector<std::int32_t> mine;
-        for (std::size_t t = 0; t < is_kept_.size(); ++t)
-            if (is_kept_[t] && old_.tet_solids[t] == SolidId(s)) mine.push_back(std::int32_t(t));
+        const std::vector<std::int32_t>& mine = kept[s];
         const std::vector<std::int32_t> piece_of = pieces_of(mine, SolidId(s));
         std::map<std::int32_t, SolidId> solid_of_piece;
         for (std::size_t i = 0; i < mine.size(); ++i) {
