@@ -18,6 +18,18 @@ inline constexpr std::array<std::array<int, 2>, 6> tet_sides{{{0, 1}, {1, 2}, {0
 /// Corners of the four faces, normals outward, face i opposite corner i.
 inline constexpr std::array<std::array<int, 3>, 4> tet_faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
+/// The corners of the facet, normal outward.
+template <class T>
+std::array<T, 3> facet_opposite(const std::array<T, 4>& tet, int corner) {
+    const auto& [a, b, c] = tet_faces[static_cast<std::size_t>(corner)];
+    return {tet[static_cast<std::size_t>(a)], tet[static_cast<std::size_t>(b)], tet[static_cast<std::size_t>(c)]};
+}
+/// Whether the corners, brought into ascending order, are an odd permutation.
+template <class T>
+bool is_odd(const std::array<T, 3>& c) {
+    return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 == 1;
+}
+
 /// The 20 Bernstein coefficients of det J of a 10-node tet (cubic), nodes as 4 corners and 6 mid-sides.
 /// Johnen, Remacle and Geuzaine 2013. All positive means valid everywhere.
 std::array<double, 20> jacobian_coefficients(const std::array<Vec3, 10>& nodes);

@@ -29,9 +29,6 @@ std::uint64_t half_facet_key(std::uint64_t sum_of_node_keys, int region) {
     return mixed(sum_of_node_keys + 0x632be59bd9b4e019ull * static_cast<std::uint64_t>(region + 1));
 }
 
-/// Whether the corners, brought into ascending order, are an odd permutation.
-bool is_odd(const std::array<NodeId, 3>& c) { return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 == 1; }
-
 /// A triangle, seen from within one region, that something covers (a tet) or asks to be covered (a CAD face).
 struct HalfFacet {
     std::array<NodeId, 3> sorted;
@@ -48,10 +45,6 @@ HalfFacet make_half_facet(std::array<NodeId, 3> outward, int region, TriangleId 
     return half;
 }
 
-std::array<NodeId, 3> face_of(const std::array<NodeId, 4>& tet, int k) {
-    return {tet[tet_faces[k][0]], tet[tet_faces[k][1]], tet[tet_faces[k][2]]};
-}
-
 std::array<NodeId, 3> reversed(const std::array<NodeId, 3>& c) { return {c[0], c[2], c[1]}; }
 
 /// Sums signed keys of all half-facets around each node: 0 where each meets its opposite one in the region, so that
@@ -66,7 +59,7 @@ class OpenNodes {
         std::uint64_t by_corner[4], all = 0;
         for (int k = 0; k < 4; ++k) {
             const std::uint64_t key = half_facet_key(total - keys[k], region);
-            all += by_corner[k] = is_odd(face_of(tet, k)) ? key : 0 - key;
+            all += by_corner[k] = is_odd(facet_opposite(tet, k)) ? key : 0 - key;
         }
         for (int k = 0; k < 4; ++k) sums_[tet[k].index()] += all - by_corner[k];
     }
@@ -151,7 +144,7 @@ std::vector<HalfFacet> half_facets_at(std::span<const char> open, const Mesh& me
         const int count = open[tet[0].index()] + open[tet[1].index()] + open[tet[2].index()] + open[tet[3].index()];
         if (count < 3) return;
         for (int k = 0; k < 4; ++k)
-            if (const auto face = face_of(tet, k); are_open(open, face))
+            if (const auto face = facet_opposite(tet, k); are_open(open, face))
                 half_facets.push_back(make_half_facet(face, region, TriangleId(), t));
     });
     return sorted(half_facets, mesh.node_count());

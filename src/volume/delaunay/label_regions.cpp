@@ -11,13 +11,6 @@ namespace {
 
 constexpr std::size_t tets_per_chunk = 1 << 14;
 
-bool is_odd(const std::array<int, 3>& c) { return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 == 1; }
-
-/// The corners of the tet's facet opposite corner k, normal outward.
-std::array<int, 3> facet_of(const std::array<int, 4>& tet, int k) {
-    return {tet[tet_faces[k][0]], tet[tet_faces[k][1]], tet[tet_faces[k][2]]};
-}
-
 /// The facet of the tet that its neighbour is at.
 int facet_towards(const Triangulation& triangulation, int tet, std::size_t neighbour) {
     const auto& neighbours = triangulation.neighbours[tet];
@@ -118,7 +111,8 @@ class Labelling {
                 const int facet = places_.facet_at[4 * t + k];
                 if (facet < 0) continue;
                 // A tet whose facet turns outward as the surface facet does lies behind it.
-                const bool is_before = is_odd(facet_of(triangulation_.tets[t], k)) != is_odd(facets_[facet].corners);
+                const bool is_before =
+                    is_odd(facet_opposite(triangulation_.tets[t], k)) != is_odd(facets_[facet].corners);
                 reach(chunks_[at], static_cast<int>(t), facets_[facet].regions[is_before]);
             }
         spread(at);
@@ -184,7 +178,7 @@ void place_missing(const Triangulation& triangulation, std::size_t point_count, 
         for (int k = 0; k < 4; ++k) {
             const int other = neighbour(t, k);
             if (corners - table.is_corner(tet[k]) < 3 || (other >= 0 && other < static_cast<int>(t))) continue;
-            const int facet = table.find(facet_of(tet, k));
+            const int facet = table.find(facet_opposite(tet, k));
             if (facet < 0) continue;
             is_found[facet] = 1;
             places.facet_at[4 * t + k] = facet;

@@ -6,17 +6,13 @@
 #include <set>
 
 #include "core/sorted_pair.h"
+#include "mesh/second_order.h"
 
 namespace featuremesh {
 
 namespace {
 
 using NodePair = std::array<NodeId, 2>;
-
-template <class T>
-bool is_odd(const std::array<T, 3>& c) {
-    return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 == 1;
-}
 
 NodePair pair_of(const FacetSplit::Added& added, const Cavity& cavity) {
     return sorted_pair(cavity.nodes[added.edge[0]], cavity.nodes[added.edge[1]]);

@@ -13,12 +13,6 @@ namespace {
 
 using Corners = std::array<int, 3>;
 
-Corners facet_at(const std::array<int, 4>& tet, int k) {
-    return {tet[tet_faces[k][0]], tet[tet_faces[k][1]], tet[tet_faces[k][2]]};
-}
-
-bool is_odd(const Corners& c) { return ((c[0] > c[1]) + (c[0] > c[2]) + (c[1] > c[2])) % 2 == 1; }
-
 Corners sorted(Corners c) {
     std::sort(c.begin(), c.end());
     return c;
@@ -68,8 +62,8 @@ void Neighbourhood::collect_facets() {
             if (other < 0 || is_inner_[other]) continue;  // at the hull of all points nothing is beyond
             const int facet = fill_.places.facet_at[4 * t + k];
             if (facet >= 0) is_taken[facet] = 1;
-            border_facets_.emplace(sorted(facet_at(tets()[t], k)), other);
-            add_facet(facet_at(tets()[t], k), facet, true);
+            border_facets_.emplace(sorted(facet_opposite(tets()[t], k)), other);
+            add_facet(facet_opposite(tets()[t], k), facet, true);
         }
     border_count_ = sub_.facets.size();
     for (std::size_t t = 0; t < tets().size(); ++t)
@@ -117,7 +111,7 @@ std::optional<Triangulation> Neighbourhood::merge(const Triangulation& local, st
         for (int k = 0; k < 4; ++k) {
             const bool is_border = places.facet_at[4 * t + k] >= 0;
             const int other = local.neighbours[t][k];
-            neighbours[k] = is_border   ? outside_at(facet_at(c, k), index, outer_index, all)
+            neighbours[k] = is_border   ? outside_at(facet_opposite(c, k), index, outer_index, all)
                             : other < 0 ? -1
                                         : inner_index[other];
         }
@@ -136,7 +130,7 @@ std::vector<int> Neighbourhood::label_inside(const Triangulation& local, const F
         for (int k = 0; k < 4; ++k) {
             const int facet = places.facet_at[4 * t + k];
             if (facet < 0) continue;
-            const bool is_beyond = is_odd(facet_at(local.tets[t], k)) != is_odd(sub_.facets[facet].corners);
+            const bool is_beyond = is_odd(facet_opposite(local.tets[t], k)) != is_odd(sub_.facets[facet].corners);
             if (!agrees(static_cast<int>(t), is_beyond)) return {};
         }
     while (!stack.empty()) {
@@ -155,7 +149,7 @@ int Neighbourhood::outside_at(const Corners& corners, int index, const std::vect
     const Corners key = sorted({point_of_sub_[corners[0]], point_of_sub_[corners[1]], point_of_sub_[corners[2]]});
     const int tet = border_facets_.at(key);
     for (int k = 0; k < 4; ++k)
-        if (sorted(facet_at(tets()[tet], k)) == key) all.neighbours[outer_index[tet]][k] = index;
+        if (sorted(facet_opposite(tets()[tet], k)) == key) all.neighbours[outer_index[tet]][k] = index;
     return outer_index[tet];
 }
 
