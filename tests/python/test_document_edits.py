@@ -9,11 +9,27 @@ from types import SimpleNamespace
 import FreeCAD
 import Part
 import Sketcher
-from freecad.featuremesh import api
+from freecad.featuremesh import api, versions
 from freecad.featuremesh.edits import is_whole_number, parameter_value, set_parameter, value_to_vary
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.study import case_run, dimensions, study_object
+from freecad.featuremesh.study.design import parse_parameter
 from parts import new_document, placement, plate_with_hole
+
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples")
+
+
+class OneAtATime:
+    """A box that can be made where one of its dimensions changed, and it is not wider than long."""
+
+    def __init__(self, made):
+        self.made = made
+
+    def execute(self, box):
+        wanted = box.Length.Value, box.Width.Value
+        if all(new != old for new, old in zip(wanted, self.made)) or wanted[0] > wanted[1]:
+            raise ValueError("not at once")
+        box.Shape, self.made = Part.makeBox(*wanted, 10), wanted
 
 
 class Edits(unittest.TestCase):
@@ -84,6 +100,14 @@ class Edits(unittest.TestCase):
         self.plate.Label = "Base plate"
         self.set("Base plate.Length=11")
         self.assertEqual(self.plate.Length.Value, 11)
+        for label in ("Plate v1.2", "t=10", "t=1.5 (Plate.Length=3)"):
+            self.plate.Label, self.body.Label = label, "Plate v1"
+            self.set(label + ".Length = 12.5")
+            self.assertEqual(parameter_value(self.document, label + ".Length"), 12.5)
+            self.set("Plate.Length=11.5")
+            self.assertEqual(self.plate.Length.Value, 11.5)
+            varied = parse_parameter(label + ".Length=1:2.5 cm")
+            self.assertEqual((varied.target, varied.bounds, varied.unit), (label + ".Length", (1, 2.5), "cm"))
 
     def test_named_constraint(self):
         self.set("HoleSketch.X=35")
@@ -253,6 +277,33 @@ class Edits(unittest.TestCase):
         self.assertTrue(moved.Shape.isValid())   # as it was
         with self.assertRaisesRegex(case_run.Infeasible, "cannot recompute Plate"):
             case_run.edit(SimpleNamespace(document=self.document, part=moved), {"set": ["HoleSketch.X=22"]})
+
+    def test_what_cannot_be_recomputed_at_once_is_set_one_by_one(self):
+        box = self.document.addObject("Part::FeaturePython", "Box")
+        for name in ("Length", "Width"):
+            box.addProperty("App::PropertyLength", name)
+            setattr(box, name, 10)
+        box.Proxy = OneAtATime((10, 10))
+        self.document.recompute()
+        api.add_mesh(box, automatic=False)
+        for first, second in (("Length=20", "Width=30"), ("Width=25", "Length=11"), ("Width=0.5 in", "Length=1")):   # Width is not less than Length
+            api.edit(self.document, ["Box." + first, "Box." + second])
+            self.assertTrue(box.isValid())
+            self.assertEqual(box.Proxy.made, (box.Length.Value, box.Width.Value))
+        with self.assertRaisesRegex(UserError, "cannot recompute Box: "):
+            api.edit(self.document, ["Box.Length=20", "Box.Width=15"])
+        with self.assertRaisesRegex(UserError, "cannot read the edit 'Length=3'"):
+            api.edit(self.document, "Length=3")
+
+    @unittest.skipUnless(versions.version() >= (1, 0), "FreeCAD finds no edges by their names")
+    def test_a_fillet_keeps_an_edge_that_two_dimensions_move(self):
+        document = FreeCAD.openDocument(os.path.join(EXAMPLES, "bracket.FCStd"))
+        self.addCleanup(FreeCAD.closeDocument, document.Name)
+        document.recompute()
+        api.add_mesh(document.Body, automatic=False)
+        case_run.edit(SimpleNamespace(document=document, part=document.Body), {"set": ["Plate.Length=13.5", "BossSketch.BossRadius=16.2"]})
+        self.assertTrue(document.Fillet.isValid())
+        self.assertLess(document.Body.Shape.Volume, 150000)
 
     def test_dimensions_of_other_documents_are_none_of_a_study(self):
         """They would be looked for in the study's document, where another object may have the name."""

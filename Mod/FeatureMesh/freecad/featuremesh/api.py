@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a script, a command or a button can do; everything else in this package serves these functions."""
 
+import contextlib
 import math
 import os
 import shutil
@@ -177,6 +178,26 @@ def set_parameters(document, assignments):
     refuse_no_document(document)
     for assignment in [assignments] if isinstance(assignments, str) else assignments:
         edits.set_parameter(document, assignment)
+
+
+def edit(document, assignments):
+    """set_parameters and recompute in one; returns the seconds. What FreeCAD cannot recompute when all of it is set at once is set one by one, in this order or in
+    the other: since 1.0 a fillet may lose an edge that two dimensions move at once. Throws UserError."""
+    refuse_no_document(document)
+    assignments = [assignments] if isinstance(assignments, str) else list(assignments)
+    before = [edits.value_before(document, assignment) for assignment in assignments]
+    try:
+        return _recompute_with(document, assignments)
+    except recompute_errors.NotRecomputed:
+        for one_by_one in (assignments, assignments[::-1]) if len(assignments) > 1 else ():
+            with contextlib.suppress(UserError):
+                return sum(_recompute_with(document, step) for step in (before, *one_by_one))
+        raise
+
+
+def _recompute_with(document, assignments):
+    set_parameters(document, assignments)
+    return recompute(document)
 
 
 def difference(old_part, new_part, resolution=0.0):

@@ -29,12 +29,15 @@ def set_parameter(document, assignment):
     Besides properties (with parts, `Box.Placement.Base.x`): `Sketch.CONSTRAINTNAME` (or `Sketch.Constraint3`) and
     `Spreadsheet.ALIAS`. Lengths are mm and angles degrees unless the value has a unit.
     """
-    target, separator, value = assignment.partition("=")
-    target, value = target.strip(), value.strip()
-    if not (separator and value and re.match(r"[^.]+\..", target)):
-        raise UserError(said("cannot read the edit '{edit:text}', it has to be OBJECT.PROPERTY=VALUE", edit=assignment))
+    target, value = _read(document, assignment)
     kind, obj, path = _found(document, target)
     kind.set(obj, path, value)
+
+
+def value_before(document, assignment):
+    """The assignment that brings back what this one is going to change. Throws UserError as set_parameter does."""
+    target, _ = _read(document, assignment)
+    return "%s=%s" % (target, parameter_value(document, target))
 
 
 def parameter_value(document, target, unit=""):
@@ -73,9 +76,26 @@ def _quantity_of_one(unit, where):
     return FreeCAD.Units.Quantity("1 " + unit).Value
 
 
+def _read(document, assignment):
+    """(target, value) of OBJECT.PROPERTY=VALUE. Throws UserError."""
+    owner, rest = _parted(document, assignment.strip())
+    path, _, value = (text.strip() for text in rest.partition("="))
+    if not (owner and path and value):
+        raise UserError(said("cannot read the edit '{edit:text}', it has to be OBJECT.PROPERTY=VALUE", edit=assignment))
+    return "%s.%s" % (owner, path), value
+
+
+def _parted(document, text):
+    """(OBJECT, the rest) of OBJECT.PROPERTY and what follows; a label may have points and equals signs of its own."""
+    ends = [at for at, letter in enumerate(text) if letter == "."]
+    known = [end for end in ends if document.getObject(text[:end]) or document.getObjectsByLabel(text[:end])]
+    owner = text[:max(known)] if known else text.partition(".")[0]
+    return owner, text[len(owner) + 1:]
+
+
 def _found(document, target):
     """(the _Kind, the object, the rest) of a target such as HoleSketch.Radius. Throws UserError."""
-    name, _, path = target.partition(".")
+    name, path = _parted(document, target)
     obj, first = find_object(document, name), path.partition(".")[0]
     if obj.TypeId == "Spreadsheet::Sheet":
         return _CELL, obj, path

@@ -7,6 +7,11 @@ from .errors import UserError
 from .messages import said
 from .reading import dependencies, describe, error_of
 
+
+class NotRecomputed(UserError):
+    """FreeCAD could not; it says which object, and why."""
+
+
 # Called after a recompute with the document and the objects that are in error and were not before.
 on_errors = []
 _observer = None
@@ -18,9 +23,9 @@ def in_error(document):
 
 
 def first_error(depends_on, objects):
-    """The UserError of the first that is among the objects in error, with FreeCAD's message; None where none is."""
+    """The NotRecomputed of the first that is among the objects in error, with FreeCAD's message; None where none is."""
     failed = next((obj for obj in depends_on if obj in objects), None)
-    return failed and UserError(said("FreeCAD cannot recompute {object:text}: {error:text}", object=describe(failed), error=error_of(failed)))
+    return failed and NotRecomputed(said("FreeCAD cannot recompute {object:text}: {error:text}", object=describe(failed), error=error_of(failed)))
 
 
 def error_of_part(part, objects):

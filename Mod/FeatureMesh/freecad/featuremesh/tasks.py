@@ -65,8 +65,7 @@ def update(task):
         obj.Threads = task["threads"]
     automatic = obj.Automatic
     obj.Automatic = False
-    api.set_parameters(document, task.get("set") or [])
-    seconds = api.recompute(document)
+    seconds = api.edit(document, task.get("set") or [])
     obj.Automatic = automatic
     report = api.update_mesh(obj, full=bool(task.get("full")), progress=_progress)
     if task.get("full"):

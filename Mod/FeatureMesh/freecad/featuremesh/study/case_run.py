@@ -83,8 +83,7 @@ def _run(base, case, seconds):
 def edit(base, case):
     """Gives `base.part` in `base.document` the case's parameters. Throws Infeasible with FreeCAD's word."""
     try:
-        api.set_parameters(base.document, case["set"])
-        api.recompute(base.document)
+        api.edit(base.document, case["set"])
         error = recompute_errors.error_of_part(base.part, recompute_errors.in_error(base.document))
         if error:   # also from before: what depends on it is as it was
             raise error

@@ -125,7 +125,7 @@ def read_toml(path):
 
 def parse_parameter(text):
     """A parameter from `OBJECT.PROPERTY=LOW:HIGH`, `=LOW:HIGH:LEVELS` or `=A,B,C`, with a unit at the end if need be. Throws UserError."""
-    target, separator, rest = text.partition("=")
+    target, separator, rest = text.rpartition("=")   # a label may have equals signs, too
     target, rest = target.strip(), rest.strip()
     if not (separator and "." in target and rest):
         raise _unreadable(text)

@@ -240,13 +240,12 @@ def is_as_run(obj):
 
 
 def show_values(obj, assignments):
-    """Gives the document the values of a case, or those that it had, as for api.set_parameters: the part and its mesh follow, made where there is none. Throws
+    """Gives the document the values of a case, or those that it had, as for api.edit: the part and its mesh follow, made where there is none. Throws
     UserError."""
     if not meshes_of(obj):
         api.add_mesh(obj.Part, **preferences.for_new_mesh())
         api.recompute(obj.Document)   # by that of the part as it is, loads and supports find their faces again
-    api.set_parameters(obj.Document, assignments)
-    api.recompute(obj.Document)
+    api.edit(obj.Document, assignments)
     for mesh in meshes_of(obj):
         if not mesh.Automatic:
             api.update_mesh(mesh)
