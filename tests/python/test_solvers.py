@@ -7,10 +7,9 @@ from unittest import mock
 
 import ObjectsFem
 from analyses import add_solver
-from freecad.featuremesh import api, calculix, live_result, solvers, statics, statics_model, tasks
+from freecad.featuremesh import api, calculix, live_result, mass, solvers, statics, statics_model, tasks
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
-from freecad.featuremesh.study import mass
 from statics_cases import HAS_SOLVER, STEEL, Case, edges_along, faces_at
 
 
@@ -65,6 +64,21 @@ class WhatCalculixGot(Case):
         report, warned = self.solved()
         self.assertEqual(report["responses"]["reactions_n"], {})
         self.assertRegex(warned, "got nothing of Force, which .* frequency")
+
+    def test_every_kind_of_analysis_has_a_mass(self):
+        """CalculiX prints it in statics with a weight alone."""
+        solver = self.document.Solver
+        for kind, nonlinearity in (("frequency", "linear"), ("static", "nonlinear"), ("thermomech", "linear")):
+            with self.subTest(kind):
+                solver.AnalysisType, solver.GeometricalNonlinearity = kind, nonlinearity
+                if kind == "thermomech":
+                    self.document.Steel.Material = dict(STEEL, ThermalConductivity="50 W/m/K", ThermalExpansionCoefficient="12 um/m/K", SpecificHeat="500 J/kg/K")
+                    self.add(self.of_the_box, ObjectsFem.makeConstraintInitialTemperature, "Cold", None)
+                    self.add(self.of_the_box, ObjectsFem.makeConstraintTemperature, "Warm", [(self.part, faces_at(self.part, 0, 0))])
+                self.assertAlmostEqual(self.solved()[0]["responses"]["mass_kg"] or 0, 7850e-9 * 8000, places=9)
+        self.document.Steel.Material = dict(STEEL, Density="")
+        solver.AnalysisType = "static"
+        self.assertIsNone(self.solved()[0]["responses"]["mass_kg"])
 
 
 class PrintedReactions(unittest.TestCase):

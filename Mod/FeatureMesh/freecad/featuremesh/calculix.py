@@ -20,7 +20,7 @@ import numpy as np
 import ObjectsFem
 from femtools import ccxtools, femutils
 
-from . import analyses, frd, modes, parent_process, resolving, solvers, statics, statics_model, statics_result, statics_supports, versions
+from . import analyses, frd, mass, modes, parent_process, resolving, solvers, statics, statics_model, statics_result, statics_supports, versions
 from .errors import UserError
 from .hand_over import is_material
 from .messages import said
@@ -66,7 +66,7 @@ def solve(analysis):
     return {"solver": "CalculiX", "matrix_solver": {**run.matrix_solver, "preconditioner": None}, "result": result.Name,
             "responses": {**found,
                           "reactions_n": reactions if read is not None else {} if run.solver.AnalysisType in modes.TABLES else printed_reactions(printed, analysis),
-                          "mass_kg": statics.mass(known) if known is not None and known.has_density else _figure(_MASS, printed, statics.TONNE),
+                          "mass_kg": _mass(analysis, known, printed),
                           "strain_energy_mj": printed_strain_energy(printed)},
             "iterations": None, "residual": None, "energy_error": None, "mesh_error": None,
             "reused": {"preconditioner": False, "start_share": 0.0},
@@ -342,6 +342,18 @@ def _arrays(analysis):
     except statics_model.NotUnderstood:
         return None
     return mesh.Proxy.arrays(mesh)
+
+
+def _mass(analysis, known, printed):
+    """kg, None where it is not known. CalculiX prints it where something weighs."""
+    if known is not None and known.has_density:
+        return statics.mass(known)
+    arrays = _arrays(analysis)
+    if arrays is None:
+        return _figure(_MASS, printed, statics.TONNE)
+    with contextlib.suppress(UserError):
+        return mass.of_part(versions.part_of(statics.mesh_of(analysis)), analysis, arrays)
+    return None
 
 
 def printed_reactions(text, analysis):

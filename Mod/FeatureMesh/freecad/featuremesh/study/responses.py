@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from .. import mass
 from ..errors import UserError
 from ..messages import alternatives, of_error, said
 from ..statics_result import principal, von_mises
-from . import mass
 from .expressions import Expression
 from .response_words import OF_PART
 

@@ -6,13 +6,13 @@ import math
 import numpy as np
 from femtools import femutils
 
-from .. import formats, materials, statics, statics_model
-from ..errors import UserError
-from ..messages import said
-from ..hand_over import EntityGroups
-from ..quality import contents
-from ..reading import describe
-from ..resolving import Resolver
+from . import formats, materials, statics, statics_model
+from .errors import UserError
+from .hand_over import EntityGroups
+from .messages import said
+from .quality import contents
+from .reading import describe
+from .resolving import Resolver
 
 _SECTIONS = {"triangles": ("Fem::ElementGeometry2D", said("thickness")), "segments": ("Fem::ElementGeometry1D", said("section"))}
 _AREAS = {   # of FreeCAD's sections of beams, mm^2
