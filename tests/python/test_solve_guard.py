@@ -329,6 +329,29 @@ class SolveGuard(unittest.TestCase):
                 getattr(importlib.import_module(module), name)(solver).prepare()
             self.document.removeObject(solver.Name)
 
+    def test_what_input_lacks_is_said_whoever_writes_it(self):
+        """FreeCAD's panel and commands say nothing of it; our own commands have it in their reports."""
+        self.analysis.addObject(self.document.addObject("Fem::ConstraintBearing", "Bearing"))
+        told = []
+        with mock.patch.object(FreeCAD, "Console", mock.Mock(wraps=FreeCAD.Console, PrintWarning=told.append)):
+            self.assertEqual(self.problem(), "")
+            tools = ccxtools.FemToolsCcx(self.analysis, self.solver(), test_mode=True)
+            tools.setup_working_dir(self.folder)
+            tools.update_objects()
+            tools.write_inp_file()
+            if versions.version() >= (1, 1):
+                newer = ObjectsFem.makeSolverCalculiX(self.document)
+                self.analysis.addObject(newer)
+                newer.WorkingDirectory = self.folder
+                importlib.import_module("femsolver.calculix.calculixtools").CalculiXTools(newer).prepare()
+                self.document.removeObject(newer.Name)
+            said = [text for text in told if "Bearing" in text]
+            self.assertEqual(len(said), 1 + (versions.version() >= (1, 1)), told)
+            self.assertRegex(said[-1], "^Analysis: CalculiX got nothing of Bearing, which FreeCAD does not write for the type of analysis static")
+            if shutil.which("ccx"):
+                api.solve_analysis(self.analysis, "ccx")
+                self.assertEqual([text for text in told if "Bearing" in text], said)
+
     def test_other_solvers_of_the_task_chain_ask_too(self):
         make = getattr(ObjectsFem, "makeSolverZ88", None)
         solver = make(self.document, "Other")

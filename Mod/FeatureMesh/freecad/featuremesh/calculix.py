@@ -20,7 +20,7 @@ import numpy as np
 import ObjectsFem
 from femtools import ccxtools, femutils
 
-from . import analyses, frd, mass, modes, parent_process, resolving, solvers, statics, statics_model, statics_result, statics_supports, versions
+from . import analyses, frd, mass, modes, parent_process, resolving, solve_guard, solvers, statics, statics_model, statics_result, statics_supports, versions
 from .errors import UserError
 from .hand_over import is_material
 from .messages import said
@@ -90,7 +90,7 @@ def solved(analysis):
         refuse_failure(run(tools), tools.ccx_stdout)
         yield SimpleNamespace(tools=tools, solver=solver, known=known, matrix_solver=matrix_solver,
                               remarks=solvers.remarks(analysis, solver) + remarks(tools.mesh.FemMesh.VolumeCount > 0, solver)
-                                      + left_out(analysis, solver) + empty_loads(tools.inp_file_name),
+                                      + lacks(analysis, solver, tools.inp_file_name),
                               seconds={"read": written - start, "solve": time.perf_counter() - written})
 
 
@@ -129,6 +129,11 @@ def remarks(is_solid, solver):
                  "BeamShellResultOutput3D of {solver:text} on for those on the outside", solver=describe(solver))]
 
 
+def lacks(analysis, solver, path):
+    """What of the analysis the input in that file has not, or where FreeCAD found a place for it by itself: it says nothing of either."""
+    return left_out(analysis, solver) + empty_loads(path) + _by_place(analysis)
+
+
 def left_out(analysis, solver):
     """What of the analysis is not in the input, of which FreeCAD says nothing."""
     members = [describe(member) for member in statics_model.members_of(analysis) if not _is_written(femutils.type_of_obj(member), solver.AnalysisType)]
@@ -141,6 +146,14 @@ def empty_loads(path):
     with open(path, encoding="utf-8") as stream:
         found = _EMPTY_LOAD.findall(stream.read())
     return [said("CalculiX got nothing of {loads:text}, for which FreeCAD found no elements", loads=", ".join(found))] if found else []
+
+
+def _by_place(analysis):
+    if _arrays(analysis) is None:
+        return []
+    resolver = resolving.Resolver(versions.part_of(statics.mesh_of(analysis)))
+    return [said(_BY_PLACE, object=member.Label, where=[resolving.describe(*pair) for pair in foreign], part=describe(resolver.part))
+            for member in analysis.Group if hasattr(member, "References") and not is_material(member) and (foreign := resolver.of_object(member)[1])]
 
 
 def _is_written(member_type, kind):
@@ -161,12 +174,9 @@ def _doubts(analysis, moved):
     arrays = _arrays(analysis)
     if arrays is None:
         return []
-    resolver = resolving.Resolver(versions.part_of(statics.mesh_of(analysis)))
-    doubts = [said(_BY_PLACE, object=member.Label, where=[resolving.describe(*pair) for pair in foreign], part=describe(resolver.part))
-              for member in analysis.Group if hasattr(member, "References") and not is_material(member) and (foreign := resolver.of_object(member)[1])]
     size = np.ptp(arrays["points"], axis=0).max()
-    if moved is not None and moved > _FLOWN * size:
-        doubts.append(said("the part moved by {times:number} times its own size: its supports do not hold all of it, or a unit is wrong", times=moved / size))
+    doubts = [] if moved is None or moved <= _FLOWN * size else [
+        said("the part moved by {times:number} times its own size: its supports do not hold all of it, or a unit is wrong", times=moved / size)]
     return doubts + (statics.remarks(arrays) if len(arrays["tets"]) else [])
 
 
@@ -199,7 +209,8 @@ def write_input(tools, folder, analysis):
     if problem:
         raise UserError(said("CalculiX cannot solve {analysis:text}: {why:text}", analysis=describe(analysis), why=" ".join(problem.split())))
     try:
-        tools.write_inp_file()
+        with solve_guard.told_in_a_report():
+            tools.write_inp_file()
     except Exception as error:   # FreeCAD's writer looks at little before it counts with it
         raise UserError(said("FreeCAD could not write CalculiX's input for {analysis:text}: {why:text}; is there a load of 0, on nothing, or on a face and an edge at once?",
                              analysis=describe(analysis), why=str(error))) from error

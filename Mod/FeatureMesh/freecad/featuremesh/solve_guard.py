@@ -6,6 +6,8 @@ Mystran. Each passes one of the functions below on its way, which are wrapped on
 as ever.
 """
 
+import contextlib
+
 import FreeCAD
 
 from . import analyses, formats, history, materials, references, resolving, results, statics_model, versions
@@ -25,6 +27,7 @@ _SECTIONS = {"triangles": ("Face", "Fem::ElementGeometry2D", QT_TRANSLATE_NOOP("
 _ON_NODES = ("Fem::ConstraintFixed", "Fem::ConstraintDisplacement", "App::MaterialObject")
 # How the window shows a refusal; None: in the report view.
 tell = None
+_is_in_report = False   # Is what an input lacks told by who has it written?
 
 
 def reason(analysis):
@@ -111,6 +114,17 @@ def refuse_lost(analysis):
         raise UserError(problem)
 
 
+@contextlib.contextmanager
+def told_in_a_report():
+    """The report view has no word of what is not in the input that is written meanwhile."""
+    global _is_in_report
+    _is_in_report = True
+    try:
+        yield
+    finally:
+        _is_in_report = False
+
+
 def install():
     """To be called once one of our meshes is there; further calls do nothing. What a FreeCAD has not, cannot solve in it."""
     for guarded in _GUARDED:
@@ -165,11 +179,22 @@ def _of_panel(original, panel):
     return original(panel)
 
 
+def _of_writer(original, writer):
+    """FreeCAD says nothing of what its input for CalculiX has not."""
+    path = original(writer)
+    if path and not _is_in_report and any(map(analyses.is_ours, analyses.meshes_of(writer.analysis))):
+        from . import calculix   # FreeCAD's tools for CalculiX take a while to load
+        for remark in calculix.lacks(writer.analysis, writer.solver_obj, path):
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (describe(writer.analysis), in_words(remark)))
+    return path
+
+
 _GUARDED = (
     ("femsolver.run", None, "run_fem_solver", _of_run),
     ("femtools.checksanalysis", None, "check_member_for_solver_calculix", _of_check),
     ("femsolver.run", "Check", "check_mesh_exists", _of_task),
     ("femsolver.calculix.calculixtools", "CalculiXTools", "prepare", _of_tools),
+    ("femsolver.calculix.writer", "FemInputWriterCcx", "write_solver_input", _of_writer),
     ("femsolver.elmer.elmertools", "ElmerTools", "prepare", _of_tools),
     ("femsolver.z88.z88tools", "Z88Tools", "prepare", _of_tools),
 ) + ((("femtaskpanels.task_solver_ccxtools", "_TaskPanel", "runCalculix", _of_panel),) if FreeCAD.GuiUp else ())
