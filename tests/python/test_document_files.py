@@ -183,6 +183,29 @@ class Files(unittest.TestCase):
         found = self.saved_view(view, add_mesh=True)
         self.assertEqual(found, {"Body": "false", "FeatureMesh": "true"})
 
+    def test_what_is_shown_survives_a_scripts_own_saving(self):
+        from freecad.featuremesh import api
+        view = (b'<Document><ViewProviderData Count="1"><ViewProvider name="Body"><Properties Count="2"><Property name="Visibility"><Bool value="true"/></Property>'
+                b'<Property name="DiffuseColor"><ColorList file="DiffuseColor"/></Property></Properties></ViewProvider></ViewProviderData></Document>')
+        with zipfile.ZipFile(self.path, "a") as archive:
+            archive.writestr("GuiDocument.xml", view)
+            archive.writestr("DiffuseColor", b"\x01\x02")
+        document = FreeCAD.openDocument(self.path)
+        api.add_mesh(document.Body, 20.0, order=1)
+        other = os.path.join(self.folder, "other.FCStd")
+        for save in (document.save, document.save, lambda: document.saveAs(other), document.save):
+            save()
+            with zipfile.ZipFile(document.FileName) as archive:
+                self.assertEqual(shown_in(archive), {"Body": "false", "FeatureMesh": "true"})
+                self.assertEqual((archive.read("DiffuseColor"), archive.testzip()), (b"\x01\x02", None))
+        self.assertEqual([name for name in os.listdir(self.folder) if name.startswith(".")], [])
+        FreeCAD.closeDocument(document.Name)
+        document = new_document()
+        api.add_mesh(plate_with_hole(document), 20.0, order=1)
+        document.saveAs(self.path)
+        with zipfile.ZipFile(self.path) as archive:
+            self.assertEqual(shown_in(archive), {"FeatureMesh": "true"})
+
     def test_a_document_that_shows_nothing_shows_its_parts(self):
         found = self.saved_view(None, add_mesh=False)
         self.assertEqual(found, {"Body": "true", "Hole": "true"})
@@ -232,6 +255,11 @@ class Files(unittest.TestCase):
         documents.save_document(document, target)
         FreeCAD.closeDocument(document.Name)
         with zipfile.ZipFile(target) as archive:
-            root = ElementTree.fromstring(archive.read("GuiDocument.xml"))
-        self.assertEqual(root.find("ViewProviderData").get("Count"), str(len(root.findall(".//ViewProvider"))))
-        return {provider.get("name"): provider.find(".//Bool").get("value") for provider in root.iter("ViewProvider")}
+            return shown_in(archive)
+
+
+def shown_in(archive):
+    """{object: is it shown} in a document's file."""
+    root = ElementTree.fromstring(archive.read("GuiDocument.xml"))
+    assert root.find("ViewProviderData").get("Count") == str(len(root.findall(".//ViewProvider")))
+    return {provider.get("name"): provider.find(".//Bool").get("value") for provider in root.iter("ViewProvider")}

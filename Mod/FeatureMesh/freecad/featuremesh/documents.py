@@ -1,20 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Opens and saves documents so that a bad file gets a clear message and a good one is never left half written."""
 
-import importlib.util
 import os
 import re
 import shutil
 import zipfile
 import zlib
 from dataclasses import dataclass
-from xml.etree import ElementTree
 from xml.parsers import expat
-from xml.sax.saxutils import escape, quoteattr, unescape
+from xml.sax.saxutils import escape, unescape
 
 import FreeCAD
 
-from . import analyses, disk_room, orphans, reading, versions
+from . import disk_room, document_view, orphans, versions
 from .errors import UserError
 from .messages import of_error, said
 
@@ -23,9 +21,6 @@ _OBJECT = re.compile(r'<Object type="([^"]*)" name="([^"]*)"')   # in the list o
 _QUOTES = {"&quot;": '"', "&apos;": "'"}
 # By the name of each document that was opened.
 _opened = {}
-_FROM_THE_CORNER = 1, -1, 1
-_OTHER_VIEWS = {"MeshResult": "VPFemMeshResult", "ConstraintElectrostaticPotential": "VPConstraintElectroStaticPotential"}   # than "VP" and the object's class
-_TURNED_TO_IT = "0.742906 0.307722 0.594473 1.21713"   # axis and angle of FreeCAD's isometric view
 
 
 @dataclass
@@ -77,13 +72,14 @@ def save_document(document, path):
     if not os.path.isdir(folder):
         raise UserError(said("cannot write {path:text}: there is no folder {folder:text}", path=path, folder=folder))
     _sweep(folder, name)
-    temporary = os.path.join(folder, ".%s.%d.FCStd" % (name, os.getpid()))
+    temporary = document_view.temporary_beside(file)
     try:
         _save_copy(document, temporary)
         if document.FileName:
             _keep_links(temporary, os.path.dirname(os.path.realpath(document.FileName)), folder)
         if not FreeCAD.GuiUp:
-            add_view(document, temporary)
+            with document_view.open_file(document.FileName) as old:
+                document_view.add(document, temporary, old)
         _refuse_half_written(temporary)
         if os.path.exists(file):
             shutil.copymode(file, temporary)
@@ -194,99 +190,3 @@ def _keep_links(path, source, folder):
         with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
             for member, content in members:
                 archive.writestr(member, _LINK.sub(moved, written) if member.filename == "Document.xml" else content, zipfile.ZIP_DEFLATED)
-
-
-def add_view(document, path):
-    """Adds to the document in the file `path` what it shows, where that is missing.
-
-    FreeCAD without a window leaves it out, and opens such a document with everything hidden.
-    """
-    with zipfile.ZipFile(path, "a", zipfile.ZIP_DEFLATED) as new:
-        if "GuiDocument.xml" in new.namelist():
-            return
-        source = document.FileName
-        if source and os.path.isfile(source) and zipfile.is_zipfile(source):
-            with zipfile.ZipFile(source) as old:
-                if "GuiDocument.xml" in old.namelist():
-                    _copy_view(old, new, document)
-                    return
-        new.writestr("GuiDocument.xml", _plain_view(document))
-
-
-def _shown(document):
-    """Names of what a person wants to see first: the meshes, or without one the finished parts; loads and supports."""
-    shown = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemMeshObject")]
-    if not shown:
-        shown = reading.final_parts(document)
-        shown += [part.Tip for part in shown if getattr(part, "Tip", None) is not None]   # a body is drawn through its tip
-    shown += [obj for obj in document.Objects if analyses.is_analysis(obj) or obj.isDerivedFrom("Fem::Constraint")]
-    return [obj.Name for obj in shown]
-
-
-def _copy_view(old, new, document):
-    view = old.read("GuiDocument.xml")
-    wanted = [name for name in re.findall(r'file="([^"]+)"', view.decode("utf-8", "replace")) if name]
-    if any(name in new.namelist() for name in wanted):
-        return  # a file of the model took the name; colours are worth less than a document that opens
-    new.writestr("GuiDocument.xml", _with_new_meshes(view, document))
-    for name in dict.fromkeys(wanted + ["thumbnails/Thumbnail.png"]):
-        if name in old.namelist():
-            new.writestr(name, old.read(name))
-
-
-def _with_new_meshes(view, document):
-    """The view, in which meshes that it does not know are shown and their parts hidden, as two things in one place flicker; and with FEM's new objects."""
-    known = set(re.findall(r'<ViewProvider name="([^"]+)"', view.decode("utf-8", "replace")))
-    fresh = [obj for obj in document.Objects if (obj.isDerivedFrom("Fem::FemMeshObject") or _view_of_fem(obj)) and obj.Name not in known]
-    if not fresh:
-        return view
-    root = ElementTree.fromstring(view)
-    providers = root.find("ViewProviderData")
-    for obj in fresh:
-        is_mesh = obj.isDerivedFrom("Fem::FemMeshObject")
-        part = versions.part_of(obj) if is_mesh else None
-        for value in root.findall("ViewProviderData/ViewProvider[@name='%s']/Properties/Property[@name='Visibility']/Bool"
-                                  % (part.Name if part is not None else "")):
-            value.set("value", "false")
-        providers.append(ElementTree.fromstring(_provider(obj, is_mesh)))
-    providers.set("Count", str(len(providers)))
-    return ElementTree.tostring(root, encoding="utf-8", xml_declaration=True)
-
-
-def _provider(obj, is_visible):
-    properties = ['<Property name="Visibility" type="App::PropertyBool"><Bool value="%s"/></Property>' % str(is_visible).lower()]
-    if _view_of_fem(obj):
-        properties.append('<Property name="Proxy" type="App::PropertyPythonObject"><Python value="bnVsbA==" encoded="yes" module="%s" class="%s"/></Property>'
-                          % _view_of_fem(obj))
-    return '<ViewProvider name="%s" expanded="0"><Properties Count="%d">%s</Properties></ViewProvider>' % (obj.Name, len(properties), "".join(properties))
-
-
-def _view_of_fem(obj):
-    """(module, class) of the view that FEM gives an object of its own that it makes in a window, and which opens its panel; None for other objects."""
-    kind = type(getattr(obj, "Proxy", None))
-    package, _, name = kind.__module__.partition(".")
-    module = "femviewprovider.view_" + name
-    if package != "femobjects" or importlib.util.find_spec(module) is None:
-        return None
-    return module, _OTHER_VIEWS.get(kind.__name__, "VP" + kind.__name__)
-
-
-def _camera(document):
-    """The settings of FreeCAD's camera that look at all parts from the corner in front, on the right and above; "" without a part."""
-    box = FreeCAD.BoundBox()
-    for part in reading.final_parts(document):
-        box.add(part.Shape.BoundBox)
-    if not box.isValid() or box.DiagonalLength == 0:
-        return ""
-    distance = box.DiagonalLength
-    place = box.Center + FreeCAD.Vector(*_FROM_THE_CORNER) * (distance / 3 ** 0.5)
-    return ("OrthographicCamera {\n  viewportMapping ADJUST_CAMERA\n  position %.9g %.9g %.9g\n  orientation %s\n  nearDistance 0\n  farDistance %.9g\n"
-            "  aspectRatio 1\n  focalDistance %.9g\n  height %.9g\n}\n" % (*place, _TURNED_TO_IT, 2 * distance, distance, distance))
-
-
-def _plain_view(document):
-    """A view in which what a person wants to see first is shown, and nothing else."""
-    visible = _shown(document)
-    providers = [_provider(obj, obj.Name in visible) for obj in document.Objects if obj.Name in visible or _view_of_fem(obj)]
-    return ('<?xml version="1.0" encoding="utf-8"?>\n<Document SchemaVersion="1"><ViewProviderData Count="%d">%s'
-            '</ViewProviderData><Camera settings=%s/></Document>\n' % (len(providers), "".join(providers), quoteattr(_camera(document))))

@@ -10,7 +10,7 @@ import itertools
 import FreeCAD
 import Part
 
-from . import analyses, assembled, disk_room, hand_over, recompute_errors, references, results, size_zone, versions
+from . import analyses, assembled, disk_room, document_view, hand_over, recompute_errors, references, results, size_zone, versions
 from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, UP_TO_DATE, is_of_its_part
 from .reading import dependencies, has_shape
 
@@ -110,10 +110,13 @@ class _Observer:
         for mesh in _meshes_in(document):
             mesh.Proxy.keep_state(mesh)
         disk_room.tell_before_saving(document)
+        if _meshes_in(document):
+            document_view.keep(document)
 
     def slotFinishSaveDocument(self, document, path):
         if _meshes_in(document):
             disk_room.look_at_saved(document, path)
+            document_view.put_back(document, path)
 
     def slotRecomputedObject(self, obj):
         _left_touched.setdefault(obj.Document.Name, set()).add(obj.Name)
