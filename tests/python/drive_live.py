@@ -214,6 +214,7 @@ def check_load_after_mesh(document, live, mesh):
     document.Force.setExpression("Force", None)
     document.Force.Force = force
     document.recompute()
+    document.getObject("HoleSketch").touch()   # as some of FreeCAD's panels leave what they edit
     wait_for(lambda: live.Status == live_result.UP_TO_DATE, 60)
 
 

@@ -5,6 +5,7 @@ import os
 import shutil
 import tempfile
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 from types import SimpleNamespace
 from unittest import mock
 
@@ -125,6 +126,22 @@ class SolveGuard(unittest.TestCase):
         self.refuses("Beam was edited and not recomputed")
         self.document.recompute()
         self.assertEqual((self.problem(), self.document.FeatureMesh.FemMesh.BoundBox.XMax), ("", 50))
+
+    def test_what_a_panel_left_touched_is_recomputed_in_the_window(self):
+        """By no thread of a solver, and not where FreeCAD skips recomputes."""
+        def in_a_thread():
+            with ThreadPoolExecutor() as pool:
+                return pool.submit(self.problem).result()
+
+        with mock.patch.object(solve_guard, "tell", print):
+            for length in (40, 50):
+                self.part.Length = length
+                self.part.touch()
+                self.assertIn("Beam was edited and not recomputed", in_a_thread())
+                self.assertEqual((self.problem(), self.mesh.FemMesh.BoundBox.XMax), ("", length))
+            self.document.RecomputesFrozen = True
+            self.part.touch()
+            self.assertIn("Beam was edited and not recomputed", self.problem())
 
     def test_a_mesh_whose_part_was_deleted(self):
         self.document.removeObject(self.part.Name)

@@ -7,6 +7,7 @@ as ever.
 """
 
 import contextlib
+import threading
 
 import FreeCAD
 
@@ -68,7 +69,22 @@ def _without_trace(analysis, resolver):
 def not_recomputed(mesh):
     """What its part comes from and was edited since the last recompute."""
     edited = history.edited_behind(mesh)
-    return translate("FeatureMesh", "%s was edited and not recomputed; recompute the document before solving") % describe(edited[0]) if edited else ""
+    return translate("FeatureMesh", "%s was edited and not recomputed; recompute the document (Edit, Refresh) before solving") % describe(edited[0]) if edited else ""
+
+
+def recompute_left(analysis):
+    """Recomputes what a panel of FreeCAD's has left touched behind the mesh, such as that of a pattern of patterns, or of a joint when it is cancelled; unless the
+    user has FreeCAD skip recomputes."""
+    meshes = analyses.meshes_of(analysis) if analysis is not None and not analysis.Document.RecomputesFrozen else []
+    if any(map(history.edited_behind, filter(None, map(analyses.source_of, meshes)))):
+        analysis.Document.recompute()
+
+
+def _reason_in_window(analysis):
+    """The same as `reason`, where edits are recomputed at once. Solvers also ask from threads, which may not."""
+    if tell is not None and threading.current_thread() is threading.main_thread():
+        recompute_left(analysis)
+    return reason(analysis)
 
 
 def _without_elements(analysis, resolver, entities):
@@ -133,7 +149,7 @@ def install():
 
 def _of_run(original, solver, *rest, **named):
     """The command that runs a solver; earlier results stay."""
-    problem = reason(solver.getParentGroup())
+    problem = _reason_in_window(solver.getParentGroup())
     if not problem:
         return original(solver, *rest, **named)
     if tell is not None:
@@ -145,7 +161,7 @@ def _of_run(original, solver, *rest, **named):
 
 def _of_check(original, analysis, *rest, **named):
     """What the panel of CalculiX and scripts ask before they write its input: the messages of what is missing."""
-    problem = reason(analysis)
+    problem = _reason_in_window(analysis)
     if problem:
         return problem + "\n"
     results.input_is_written(analysis)
@@ -172,7 +188,7 @@ def _of_tools(original, tools, *rest, **named):
 
 def _of_panel(original, panel):
     """The panel's button that starts CalculiX on input written before."""
-    problem = reason(panel.fea.analysis)
+    problem = _reason_in_window(panel.fea.analysis)
     if problem:
         panel.femConsoleMessage(problem, "#FF0000")
         return None

@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import live_result, mesh_object
+from .. import live_result, mesh_object, solve_guard
 from ..errors import UserError
 from .running import RunningJob, step_in_words
 
@@ -141,6 +141,8 @@ class _Run:
         self.tell()
 
     def _begin(self):
+        if Gui.editDocument() is None:
+            solve_guard.recompute_left(self.live.Proxy.analysis(self.live))
         self._is_wanted = False
         try:
             job = self.live.Proxy.prepare(self.live)

@@ -351,8 +351,8 @@
       <translation>%s bezieht sich auf %s, das es nicht mehr gibt; dafür eine andere Fläche, eine andere Kante oder einen anderen Volumenkörper wählen</translation>
     </message>
     <message>
-      <source>%s was edited and not recomputed; recompute the document before solving</source>
-      <translation>%s wurde geändert und nicht neu berechnet; vor dem Lösen das Dokument neu berechnen</translation>
+      <source>%s was edited and not recomputed; recompute the document (Edit, Refresh) before solving</source>
+      <translation>%s wurde geändert und nicht neu berechnet; vor dem Lösen das Dokument neu berechnen (Bearbeiten, Aktualisieren)</translation>
     </message>
     <message>
       <source>%s was written to %s (%s)</source>
