@@ -84,6 +84,19 @@ def check_only_looked_at(document):
     document.clearUndos()
 
 
+def check_saving_is_told(shown):
+    """By a click on *Run*; the window draws nothing more until the copy is saved."""
+    from freecad.featuremesh import documents
+    save, told = documents.save_document, []
+
+    def look(*words):
+        told.append((shown.status.text(), QtGui.QApplication.overrideCursor() is not None))
+        save(*words)
+    with mock.patch.object(documents, "save_document", look):
+        click(shown.run_button)
+    assert told == [("saving a copy of the document, from which all cases start", True)] and QtGui.QApplication.overrideCursor() is None, told
+
+
 def check_five_clicks(document):
     """From the bracket to a plot: the command, two dimensions, Run, Results."""
     before = hashlib.sha256(Path(document.FileName).read_bytes()).hexdigest()
@@ -105,7 +118,7 @@ def check_five_clicks(document):
     assert list(study.Responses) == ["mass", "max_mises", "max_displacement"]
     picture("study_panel")
     check_width(shown, 1)
-    click(shown.run_button)
+    check_saving_is_told(shown)
     clicks += 1
     wait_for(lambda: shown.bar.isVisible() and shown.bar.maximum() == 16 and shown.bar.value() > 0, LONG)
     assert shown.run_button.text() == "Stop" and "of 16 cases done" in shown.status.text(), shown.status.text()

@@ -5,6 +5,7 @@ import shutil
 import tempfile
 import unittest
 from types import SimpleNamespace
+from unittest import mock
 
 import FreeCAD
 import Part
@@ -12,7 +13,8 @@ import Sketcher
 from freecad.featuremesh import api, versions
 from freecad.featuremesh.edits import is_whole_number, parameter_value, set_parameter, value_to_vary
 from freecad.featuremesh.errors import UserError
-from freecad.featuremesh.study import case_run, dimensions, study_object
+from freecad.featuremesh.messages import english
+from freecad.featuremesh.study import case_run, database, dimensions, study_object, window_run
 from freecad.featuremesh.study.design import parse_parameter
 from parts import new_document, placement, plate_with_hole
 
@@ -316,6 +318,16 @@ class Edits(unittest.TestCase):
         fused.Tool.LinkedObject = self.body
         other.recompute()
         self.assertEqual({dimension.target for dimension in dimensions.of_part(fused)}, {"Plate.Length", "Plate.Width", "Plate.Height"})
+
+    def test_how_far_a_study_is_takes_no_look_at_each_case(self):
+        """Its panel asks twice a second."""
+        cases = database.Database(os.path.join(self.folder, "study.sqlite"), new=True)
+        for number in cases.add_cases([({"x": x}, None) for x in range(4)], "test")[:3]:
+            cases.finish(number, {"state": "done", "seconds": {"total": 3.0}})
+        with mock.patch.object(database, "_case", side_effect=AssertionError):
+            done, total, left, words = window_run.how_far(self.folder)
+        self.assertEqual((done, total, left, english(words)), (3, 4, 3.0, "3 of 4 cases done"))
+        cases.close()
 
     def test_unknown_names_come_with_near_ones(self):
         self.refused("Plat.Length=3", "no object Plat; did you mean Plate")

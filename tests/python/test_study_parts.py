@@ -558,10 +558,13 @@ class Keeping(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             database = Database(os.path.join(folder, "study.sqlite"), new=True)
             database.add_cases([({"x": 1.5}, None), ({"x": 2.5}, None), ({"x": 3.5}, "the constraint x < 3 is not kept"), ({"x": 4.5}, None)], "test")
-            database.finish(1, {"state": "done"})
-            self.assertEqual(english(progress.summary(database.cases("done"))), "1 of 1 case done")
-            database.finish(2, {"state": "failed", "message": "Pad: no"})
-            self.assertEqual(english(progress.summary(database.cases())), "1 of 4 cases done, 2 could not be made or solved; case 2: Pad: no")
+            self.assertIsNone(database.mean_seconds())
+            database.finish(1, {"state": "done", "seconds": {"total": 4.0, "solve": 1.0}})
+            self.assertEqual(english(progress.summary({"done": 1, "failed": 0, "infeasible": 0}, None)), "1 of 1 case done")
+            database.finish(2, {"state": "failed", "message": "Pad: no", "seconds": {"total": 9.0}})
+            self.assertEqual(english(progress.summary(database.counts(), database.first_lost())), "1 of 4 cases done, 2 could not be made or solved; case 2: Pad: no")
+            database.finish(4, {"state": "done", "seconds": {"total": 6.0}})
+            self.assertEqual(database.mean_seconds(), 5.0)
 
     def test_modes_of_calculix(self):
         text = ("     E I G E N V A L U E   O U T P U T\n\n MODE NO    EIGENVALUE  FREQUENCY\n\n"

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The panel of a study: which dimensions vary, what is asked for, how many cases; it runs, and how far it is."""
 
+import contextlib
+
 import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
@@ -12,6 +14,7 @@ from ..study import design, progress, response_words, study_object, window_run
 from . import errors, narrow, recording, study_runs, wheel
 from .closes_with_object import ClosesWithObject
 from .dimension_list import DimensionList
+from .running import step_in_words
 from .undo import undo_step
 
 translate = FreeCAD.Qt.translate
@@ -248,22 +251,34 @@ class StudyPanel(ClosesWithObject):
         if run is not None and run.is_running():
             run.stop()
             return
-        self._start(study_object.start)
+        self._start(translate("FeatureMesh", "saving a copy of the document, from which all cases start"), study_object.start)
 
     def _go_on(self):
         """Runs what waits, or as many cases more as the box says."""
         done, total, *_ = window_run.how_far(study_object.folder_of(self.study))
-        self._start(study_object.go_on, self.cases.value() if done == total else 0)
+        self._start(step_in_words(""), study_object.go_on, self.cases.value() if done == total else 0)
 
-    def _start(self, begin, *words):
+    def _start(self, doing, begin, *words):
         try:
             self.study.Parameters = self.dimensions.parameters()
-            begin(self.study, *words)
+            with self._told_to_wait(doing):
+                begin(self.study, *words)
             recording.write(self.study)
             recording.tell(begin, self.study, *words, wait=True)   # what follows in a macro may be about the cases
         except (UserError, OSError) as error:
             errors.show(error, self.study.Part)
         self.refresh()
+
+    @contextlib.contextmanager
+    def _told_to_wait(self, words):
+        """The window draws nothing more until that is done."""
+        self.status.setText(words)
+        self.form.repaint()
+        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+        try:
+            yield
+        finally:
+            QtGui.QApplication.restoreOverrideCursor()
 
     def end(self):
         if self._timer.isActive():

@@ -2,7 +2,6 @@
 """How far a study is, and how long it will take: from the cases that were run, not from a guess."""
 
 from ..messages import english, said
-from .database import DONE, FAILED, INFEASIBLE
 
 _WIDTH = 20
 
@@ -22,14 +21,13 @@ def line(counts, running_for, seconds, jobs):
     return "[%s%s] %s" % ("#" * filled, "." * (_WIDTH - filled), ", ".join(words))
 
 
-def summary(cases):
+def summary(counts, first_lost):
     """What came out so far, in one sentence: how many cases are done, how many are not, and why the first of those is not."""
-    lost = [case for case in cases if case.state in (FAILED, INFEASIBLE)]
-    known = {"done": sum(case.state == DONE for case in cases), "all": len(cases)}
-    if not lost:
+    known = {"done": counts["done"], "all": sum(counts.values())}
+    if first_lost is None:
         return said("{done:count} of {all:count} {all:case|cases} done", **known)
     return said("{done:count} of {all:count} {all:case|cases} done, {lost:count} could not be made or solved; case {first:count}: {why:messages}",
-                **known, lost=len(lost), first=lost[0].id, why=lost[0].message)
+                **known, lost=counts["failed"] + counts["infeasible"], first=first_lost.id, why=first_lost.message)
 
 
 def seconds_left(counts, running_for, seconds, jobs):

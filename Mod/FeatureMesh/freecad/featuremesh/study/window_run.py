@@ -16,6 +16,7 @@ from ..errors import UserError
 from ..messages import said
 from ..user_words import in_words
 from . import progress
+from .database import RUNNING
 from .folder import StudyFolder, has_study
 
 translate = FreeCAD.Qt.translate
@@ -96,18 +97,16 @@ def how_far(folder, jobs=1, running_since=None):
         return 0, 0, None, ""
     database = StudyFolder(folder).database
     try:
-        counts, cases = database.counts(), database.cases()
+        counts, mean, running, lost = database.counts(), database.mean_seconds(), database.cases(RUNNING), database.first_lost()
     finally:
         database.close()
-    seconds = [case.seconds["total"] for case in cases if case.state == "done" and "total" in case.seconds]
-    running = [(case.id, case.attempts) for case in cases if case.state == "running"]
     now, known = time.monotonic(), running_since or {}
-    since = {case: known.get(case, now) for case in running}
+    since = {(case.id, case.attempts): known.get((case.id, case.attempts), now) for case in running}
     if running_since is not None:
         running_since.clear()
         running_since.update(since)
-    left = progress.seconds_left(counts, [now - begun for begun in since.values()], seconds, jobs)
-    return counts["done"] + counts["infeasible"] + counts["failed"], len(cases), left, progress.summary(cases)
+    left = progress.seconds_left(counts, [now - begun for begun in since.values()], [] if mean is None else [mean], jobs)
+    return counts["done"] + counts["infeasible"] + counts["failed"], sum(counts.values()), left, progress.summary(counts, lost)
 
 
 def program():

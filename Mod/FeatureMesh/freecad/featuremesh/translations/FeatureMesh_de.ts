@@ -1213,6 +1213,10 @@
       <translation>{path:text} ist gespeichert, aber der Bericht kann nicht geschrieben werden: {why:messages}</translation>
     </message>
     <message>
+      <source>saving a copy of the document, from which all cases start</source>
+      <translation>speichert eine Kopie des Dokuments, von der alle Fälle ausgehen</translation>
+    </message>
+    <message>
       <source>section</source>
       <translation>Querschnitt</translation>
     </message>
