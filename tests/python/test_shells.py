@@ -280,16 +280,26 @@ class ShellsSolved(RemeshedExamples, unittest.TestCase):
             self.assertLess(abs(found["responses"]["max_displacement_mm"] / expected - 1), WITHIN)
             self.assertLess(min(vector.z for vector in document.getObject(found["result"]).DisplacementVectors), -0.9 * expected)   # its normal is z
 
-    @unittest.skipIf(versions.follows_faces(), "the writer of FreeCAD 1.x fails at it, which is said")
-    def test_a_flux_of_heat_on_shells_of_which_nothing_is_written_is_named(self):
-        sheet, analysis, _ = self.cantilever()
-        solver_of(analysis).AnalysisType, solver_of(analysis).ThermoMechSteadyState = "thermomech", True
-        sheet.Document.Steel.Material = {**STEEL, "ThermalConductivity": "43 W/m/K", "SpecificHeat": "590 J/kg/K", "ThermalExpansionCoefficient": "0.000012 m/m/K"}
-        flux, warm = ObjectsFem.makeConstraintHeatflux(sheet.Document, "Flux"), ObjectsFem.makeConstraintTemperature(sheet.Document, "Warm")
-        flux.References, warm.References = [(sheet, "Face1")], [(sheet, "Edge1")]
-        for member in (flux, warm, ObjectsFem.makeConstraintInitialTemperature(sheet.Document, "Before")):
+    def test_heat_that_flows_into_shells(self):
+        """It leaves at the edge that is kept at 300 K, so that the other end gets warmer by flux * length^2 / (2 conductivity * thickness). What of it is not written is
+        named."""
+        sheet, analysis, mesh = self.cantilever()
+        document, solver = sheet.Document, solver_of(analysis)
+        solver.AnalysisType, solver.ThermoMechSteadyState = "thermomech", True
+        document.Steel.Material = {**STEEL, "ThermalConductivity": "50 W/m/K", "SpecificHeat": "590 J/kg/K", "ThermalExpansionCoefficient": "0.000012 m/m/K"}
+        flux, warm = ObjectsFem.makeConstraintHeatflux(document, "Flux"), ObjectsFem.makeConstraintTemperature(document, "Warm")
+        flux.References, warm.References = [(sheet, "Face1")], document.Fixed.References
+        flux.ConstraintType, flux.DFlux = "DFlux", 1000 if versions.version() < (1, 1) else "1000 W/m^2"
+        for member in (flux, warm, ObjectsFem.makeConstraintInitialTemperature(document, "Before")):
             analysis.addObject(member)
-        self.assertRegex(" ".join(map(english, api.solve_analysis(analysis)["warnings"])), "CalculiX got nothing of Flux, for which FreeCAD found no elements")
+        for order, length in (("2nd", 200), ("1st", 250)):
+            mesh.Order, sheet.Length = order, length
+            document.recompute()
+            found = api.solve_analysis(analysis)["responses"]["max_temperature_k"]
+            self.assertAlmostEqual((found - 300) / (1000 * (length / 1000) ** 2 / (2 * 50 * 0.008)), 1, delta=WITHIN)
+        if versions.version() < (1, 1):
+            flux.References = document.Load.References   # an edge
+            self.assertRegex(" ".join(map(english, api.solve_analysis(analysis)["warnings"])), "CalculiX got nothing of Flux, for which FreeCAD found no elements")
 
     def test_a_new_face_without_a_thickness_is_named(self):
         """One thickness is for all faces, several are for those that they name; CalculiX ends where an element has none."""
