@@ -85,6 +85,22 @@ class ShellMeshes(unittest.TestCase):
         self.assertGreater(len(nodes), 20)
         self.assertTrue(all(abs(mesh.FemMesh.Nodes[node].z - 120) < 1e-9 for node in nodes))
 
+    def test_a_solid_that_an_edit_opens_is_said_to_be_a_shell(self):
+        pipe = square_pipe(new_document(), 20)
+        pipe.Solid = True
+        pipe.Document.recompute()
+        mesh = api.add_mesh(pipe, 10, order=1)
+
+        def warned():
+            pipe.Document.recompute()
+            return [text for text in map(english, json.loads(mesh.Report)["warnings"]) if "any more" in text]
+        self.assertEqual(warned(), [])
+        pipe.Solid = False
+        self.assertEqual(warned(), ["Pipe has no solid any more: its faces are meshed, and loads and results are those of a shell. Mend the part if it is to be a solid."])
+        for solid, dimension in ((False, "Faces"), (True, "Solids"), (True, "Faces"), (True, "From shape")):   # the user's choice, and what is more than before
+            pipe.Solid, mesh.Dimension = solid, dimension
+            self.assertEqual(warned(), [])
+
     def test_a_sheet_that_moved_carries_its_mesh(self):
         document = new_document()
         pipe = square_pipe(document)

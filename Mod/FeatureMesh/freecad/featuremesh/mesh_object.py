@@ -16,7 +16,7 @@ from .job import MeshJob
 from .lost_references import LostReferences
 from .messages import said
 from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, NOT_MESHED, OPTION_OF, OUT_OF_DATE, SETTINGS_CHANGED, UP_TO_DATE, choose_form,
-                              differ_from_mesh, element_count, failed, failure_of, has_all_elements, is_of_its_part, is_saved_for_freecad, remarks_on_form, settings_of,
+                              differ_from_mesh, failed, failure_of, has_all_elements, is_of_its_part, is_saved_for_freecad, remarks_on_form, settings_of,
                               show_report, status_after, status_in_words)
 from .noted_parts import NotedParts
 from .numbering import Numbering
@@ -211,7 +211,7 @@ class FeatureMesh(Stateless):
             report["warnings"] = report.get("warnings", []) + moved
             self.settle(mesh, self._referring(mesh), job.raw)
         report["warnings"] += self._what_is_elsewhere(mesh, analyses.dependents_of(mesh), job.raw).values()
-        report["warnings"] += hand_over.remarks_on_groups(job.part_mesh, mesh, job.raw) + remarks_on_form(mesh, element_count(report))
+        report["warnings"] += hand_over.remarks_on_groups(job.part_mesh, mesh, job.raw) + remarks_on_form(mesh, report)
         return report
 
     def catch_up(self, mesh, raw):

@@ -8,6 +8,7 @@ import FreeCAD
 from . import messages, user_words, versions
 from .messages import said
 from .proxies import add_missing
+from .reading import describe
 
 # Kept in documents as they are; shown in the user's language by status_in_words.
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -21,6 +22,7 @@ FAILED = "failed: "   # and why, in English
 
 DIMENSIONS = ("From shape", "Solids", "Faces", "Edges")
 FROM_SHAPE = DIMENSIONS[0]
+_FILLED = "solids", "faces", "edges"   # by elements, as a report says it
 SAVED_FOR_FREECAD = UNLESS_LARGE, ALWAYS, NEVER = "Unless larger than a million elements", "Always", "Never"
 LARGE = 1000000   # elements, of which FreeCAD saves and reads as many in 8 s
 
@@ -96,8 +98,22 @@ def is_saved_for_freecad(mesh):
     return mesh.SavedForFreeCAD == ALWAYS or mesh.SavedForFreeCAD != NEVER and mesh.TetCount <= LARGE
 
 
-def remarks_on_form(mesh, elements):
-    """What to know of saving a mesh of so many elements."""
+def remarks_on_form(mesh, report):
+    """What to know of a new mesh with that report: that it is of less than the last one, and of saving a large one."""
+    return _remarks_on_filling(mesh, report) + _remarks_on_saving(mesh, element_count(report))
+
+
+def _remarks_on_filling(mesh, report):
+    before, now = (_FILLED.index(one.get("dimension", "solids")) for one in (json.loads(mesh.Report or "{}"), report))
+    if now <= before or not mesh.Report or mesh.Dimension != FROM_SHAPE:
+        return []
+    part = describe(versions.part_of(mesh))
+    return [said("{part:text} has no solid any more: its faces are meshed, and loads and results are those of a shell. Mend the part if it is to be a solid.", part=part)
+            if _FILLED[now] == "faces" else
+            said("{part:text} has no solid and no face any more: its edges are meshed, and loads and results are those of beams. Mend the part if it is to be more.", part=part)]
+
+
+def _remarks_on_saving(mesh, elements):
     if mesh.SavedForFreeCAD != UNLESS_LARGE or elements <= LARGE:
         return []
     return [said("The mesh has more than {limit:count} {limit:element|elements}: it is saved in FeatureMesh's form only, in a tenth of the time. A FreeCAD without "

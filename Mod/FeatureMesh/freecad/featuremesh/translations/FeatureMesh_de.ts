@@ -1921,6 +1921,14 @@
       <translation>{part:text} hat keine Form, die vernetzt werden kann: {feature:text} lässt nichts davon übrig</translation>
     </message>
     <message>
+      <source>{part:text} has no solid and no face any more: its edges are meshed, and loads and results are those of beams. Mend the part if it is to be more.</source>
+      <translation>{part:text} hat weder Volumenkörper noch Flächen mehr: seine Kanten werden vernetzt, und Lasten und Ergebnisse sind die von Balken. Das Bauteil reparieren, wenn es mehr sein soll.</translation>
+    </message>
+    <message>
+      <source>{part:text} has no solid any more: its faces are meshed, and loads and results are those of a shell. Mend the part if it is to be a solid.</source>
+      <translation>{part:text} hat keinen Volumenkörper mehr: seine Flächen werden vernetzt, und Lasten und Ergebnisse sind die einer Schale. Das Bauteil reparieren, wenn es ein Volumenkörper sein soll.</translation>
+    </message>
+    <message>
       <source>{part:text} is a group of links, which has no shape; make a compound of it (Part: Compound) and mesh that</source>
       <translation>{part:text} ist eine Gruppe von Verknüpfungen und hat keine Form; daraus einen Verbund machen (Part: Verbund) und diesen vernetzen</translation>
     </message>
