@@ -97,6 +97,28 @@ class InWorker(unittest.TestCase):
         self.document.recompute()
 
 
+class Retired(unittest.TestCase):
+
+    def test_a_process_that_is_retired_while_a_call_ends(self):
+        """Just before the call gives back the lock, by another thread, which is not to wait for it."""
+        remote = worker.WorkerEngine()
+        lane = remote._lanes["looks"]
+        lane.process, lock = mock.Mock(), lane.lock
+
+        def release():
+            thread = threading.Thread(target=remote.retire)
+            thread.start()
+            thread.join()
+            lane.lock = lock
+            lock.release()
+        lane.lock = mock.Mock(wraps=lock, release=release)
+        process = lane.process
+        with mock.patch.object(remote, "_ask", return_value=7):
+            self.assertEqual(remote.estimate_tets(), 7)
+        process.kill.assert_called_once_with()
+        self.assertIsNone(lane.process)
+
+
 class AnotherPlace(InWorker):
 
     def test_ctrl_c_in_the_console_of_freecad_is_not_for_the_worker(self):

@@ -196,9 +196,8 @@ class WorkerEngine:
             return self._ask(lane, name, args, kwargs, progress)
         finally:
             lane.calls -= 1
-            if lane.is_to_end and not lane.calls:
-                lane.end()
             lane.lock.release()
+            lane.end_if_retired()
 
     def _bring(self, mesh, lane, progress):
         """Makes sure that the lane's process knows the mesh, which another one may have taken along into death."""
@@ -247,7 +246,11 @@ class _Lane:
 
     def retire(self):
         self.is_to_end = True
-        if self.lock.acquire(blocking=False):
+        self.end_if_retired()
+
+    def end_if_retired(self):
+        """To be called without the lock: whoever has it does so after giving it back."""
+        if self.is_to_end and self.lock.acquire(blocking=False):
             if not self.calls:
                 self.end()
             self.lock.release()
