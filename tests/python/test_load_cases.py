@@ -73,6 +73,19 @@ class LoadCases(MeshedPlate):
         self.assertEqual(second.Report, before)   # nothing of it changed, it was not solved
         self.assertEqual([results.is_old(live.Result) for live in (first, second)], [False, False])
 
+    def test_what_joins_an_analysis_leaves_no_mark_on_it(self):
+        """FreeCAD's window shows it until a recompute, which makes nothing of an analysis."""
+        other = ObjectsFem.makeAnalysis(self.document, "Other")
+        self.document.recompute()
+        for join in (lambda: api.update_mesh(api.add_mesh(self.body, 20, order=1, active_analysis=other)), lambda: api.live_result(self.analysis),
+                     lambda: api.share_mesh(self.mesh, ObjectsFem.makeAnalysis(self.document, "Third"))):
+            self.document.recompute()
+            join()
+            self.assertNotIn("Touched", other.State + self.analysis.State)
+        other.touch()
+        analyses.take_in(other, ObjectsFem.makeConstraintFixed(self.document, "More"))
+        self.assertIn("Touched", other.State)
+
     def test_a_copy_shares_the_mesh_and_has_groups_of_its_own(self):
         copy = self.twin()
         self.assertIn(self.mesh, self.analysis.Group)

@@ -91,6 +91,14 @@ def meshes_of(analysis):
             and type_of(member) != "Fem::MeshResult" and not getattr(member, "Suppressed", False)]
 
 
+def take_in(analysis, obj):
+    """Adds the object. FreeCAD would mark the analysis for a recompute, which makes nothing of it."""
+    was_touched = "Touched" in analysis.State
+    analysis.addObject(obj)
+    if not was_touched:
+        analysis.purgeTouched()
+
+
 def studies_of(mesh):
     """The studies whose faces, edges and vertices go with this mesh: of several meshes of their part with the first."""
     part = versions.part_of(mesh)

@@ -79,7 +79,7 @@ def _shown_by_one(part):
 def _join_analysis(mesh, part, active):
     analysis, remark = analyses.for_new_mesh(part, active)
     if analysis is not None:
-        analysis.addObject(mesh)
+        analyses.take_in(analysis, mesh)
     if remark:
         FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, remark))
 

@@ -309,7 +309,7 @@ def add(analysis):
     live = analysis.Document.addObject(_BASE, "Live")
     live.Label = translate("FeatureMesh", "Live result")
     LiveResult(live)
-    analysis.addObject(live)
+    analyses.take_in(analysis, live)
     live.Proxy.take_members(live)
     return live
 

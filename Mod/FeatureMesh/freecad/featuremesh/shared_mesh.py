@@ -99,7 +99,7 @@ def share(mesh, analysis):
     shared = mesh.Document.addObject(versions.mesh_object_type(), mesh.Name + "_" + analysis.Name)
     SharedMesh(shared, mesh)
     shared.Label = "%s (%s)" % (mesh.Label, analysis.Label)
-    analysis.addObject(shared)
+    analyses.take_in(analysis, shared)
     choose_form(shared, is_saved_for_freecad(mesh))
     shared.Proxy.show(shared, anew=True)
     return shared
