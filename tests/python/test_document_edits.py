@@ -157,6 +157,9 @@ class Edits(unittest.TestCase):
         self.refused("Sheet.thicknes=3", "did you mean thickness")
         self.refused("Sheet.thickness=thick", "no number")
         self.assertEqual([parameter_value(self.document, "Sheet." + name) for name in ("thickness", "double", "A1")], [20, 40, 20])
+        sheet.setAlias("A3", "empty")
+        api.edit(self.document, ["Sheet.empty=4", "Sheet.thickness=18"])
+        self.assertEqual([parameter_value(self.document, "Sheet." + name) for name in ("empty", "double")], [4, 36])
         with self.assertRaisesRegex(UserError, "has no alias or cell thick"):
             parameter_value(self.document, "Sheet.thick")
 

@@ -245,7 +245,8 @@ def _constraint_index(sketch, name):
 
 
 def _value_of_cell(sheet, name):
-    value = sheet.get(_cell_of(sheet, name))
+    cell = _cell_of(sheet, name)
+    value = sheet.get(cell) if sheet.getContents(cell) else 0.0
     return getattr(value, "Value", value)
 
 
