@@ -112,6 +112,12 @@ class DirectOrIterative(Case):
                 self.assertEqual(calculix.solves_iteratively(self.document.Solver, calculix.as_arrays(analysis)), is_iterative, held)
             if shutil.which("ccx"):
                 self.assertRegex(api.solve_analysis(analysis, "ccx")["matrix_solver"]["why"], "points or edges hold the part")
+                self.document.Solver.MatrixSolverType = "iterativecholesky"
+                for held, is_unfit in ((edges_along(part, 1)[::3], True), (faces_at(part, 0, 0), False)):
+                    fixed.References = [(part, held)]
+                    said = " ".join(map(english, api.solve_analysis(analysis, "ccx")["warnings"]))
+                    self.assertEqual("Solver asks for an iterative solver, which ends too soon" in said, is_unfit, said)
+                self.document.Solver.MatrixSolverType = "default"
             fixed.References = [(part, faces_at(part, 0, 0))]
             moved = self.add(analysis, ObjectsFem.makeConstraintDisplacement, "Moved", [(part, faces_at(part, 0, 40))], xFree=False)
             for far, is_iterative in ((0, True), (0.5, False)):

@@ -130,8 +130,17 @@ def remarks(is_solid, solver):
 
 
 def lacks(analysis, solver, path):
-    """What of the analysis the input in that file has not, or where FreeCAD found a place for it by itself: it says nothing of either."""
-    return left_out(analysis, solver) + empty_loads(path) + _by_place(analysis)
+    """What of the analysis the input in that file has not, where FreeCAD found a place for it by itself, and a choice of CalculiX's solver that does not fit: it says
+    nothing of these."""
+    return left_out(analysis, solver) + empty_loads(path) + _by_place(analysis) + _unfit_choice(analysis, solver)
+
+
+def _unfit_choice(analysis, solver):
+    if solver.AnalysisType != "static" or not getattr(solver, "MatrixSolverType", "default").startswith("iterative"):
+        return []
+    known = as_arrays(analysis)
+    return [said("{solver:text} asks for an iterative solver, which ends too soon where points or edges hold the part or supports move it: displacements, stresses and "
+                 "reactions may be off by several per cent. Choose another MatrixSolverType.", solver=describe(solver))] if known is not None and _why_unfit(known) else []
 
 
 def left_out(analysis, solver):
@@ -247,8 +256,11 @@ def _why_direct(known):
     if known is None:
         return "CalculiX's own choice"
     unknowns = 3 * len(known.arrays["points"])
-    if unknowns < _MANY:
-        return "few unknowns (%d)" % unknowns
+    return "few unknowns (%d)" % unknowns if unknowns < _MANY else _why_unfit(known)
+
+
+def _why_unfit(known):
+    """Why the iterative solver would not be exact enough; None where it is."""
     if known.given.any():
         return _MOVED
     motions, _, _ = statics_supports.free_motions(known.arrays, statics_supports.held_by_faces(known.arrays, known.held))

@@ -2101,6 +2101,10 @@
       <translation>{solid:entities} hat mehrere Materialien: {materials:text}; nehmen Sie ihn aus den Verweisen aller außer einem</translation>
     </message>
     <message>
+      <source>{solver:text} asks for an iterative solver, which ends too soon where points or edges hold the part or supports move it: displacements, stresses and reactions may be off by several per cent. Choose another MatrixSolverType.</source>
+      <translation>{solver:text} verlangt einen iterativen Löser, der zu früh endet, wo Punkte oder Kanten das Bauteil halten oder Lager es bewegen: Verschiebungen, Spannungen und Reaktionskräfte können um mehrere Prozent abweichen. Einen anderen MatrixSolverType wählen.</translation>
+    </message>
+    <message>
       <source>{solver:text} only checks the mesh (Check Mesh), which gives no result; choose another type of analysis in its panel</source>
       <translation>{solver:text} prüft nur das Netz (Check Mesh), was kein Ergebnis gibt; in seinem Aufgabenfenster eine andere Art der Analyse wählen</translation>
     </message>
