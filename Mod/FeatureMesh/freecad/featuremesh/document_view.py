@@ -27,8 +27,8 @@ def note_file(document):
 
 
 def keep(document):
-    """To be called before FreeCAD saves the document."""
-    if not FreeCAD.GuiUp:
+    """To be called before FreeCAD saves the document. Windows lets nobody replace a file that is open, so there the colours are lost."""
+    if not FreeCAD.GuiUp and os.name != "nt":
         _before[document.Name] = open_file(_files.get(document.Name, ""))
 
 
