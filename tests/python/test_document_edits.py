@@ -16,7 +16,7 @@ from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from freecad.featuremesh.study import case_run, database, dimensions, study_object, window_run
 from freecad.featuremesh.study.design import parse_parameter
-from parts import new_document, placement, plate_with_hole
+from parts import circle, new_document, placement, plate_with_hole
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples")
 
@@ -309,6 +309,18 @@ class Edits(unittest.TestCase):
         case_run.edit(SimpleNamespace(document=document, part=document.Body), {"set": ["Plate.Length=13.5", "BossSketch.BossRadius=16.2"]})
         self.assertTrue(document.Fillet.isValid())
         self.assertLess(document.Body.Shape.Volume, 150000)
+    def test_what_is_in_error_beside_the_tip_and_keeps_a_body_as_it_was_is_said_each_time(self):
+        mesh = api.add_mesh(self.body, 5, order=1)
+        api.recompute(self.document)
+        spare = self.body.newObject("Sketcher::SketchObject", "Spare")
+        circle(spare, 5, 5, 1)
+        spare.addConstraint(Sketcher.Constraint("Radius", 0, 2))   # it has one
+        for length in (12, 13):
+            self.plate.Length = length
+            with self.assertRaisesRegex(UserError, "FreeCAD cannot recompute Spare: "):
+                api.recompute(self.document)
+            self.assertAlmostEqual(self.body.Shape.BoundBox.ZLength, 10)
+            self.assertIn("FreeCAD cannot recompute Spare: ", mesh.Status)
 
     def test_dimensions_of_other_documents_are_none_of_a_study(self):
         """They would be looked for in the study's document, where another object may have the name."""

@@ -13,7 +13,7 @@ import ObjectsFem
 
 from . import requirements
 requirements.check()   # before what cannot be imported otherwise
-from . import (adopt, analyses, assembled, difference_drawing, documents, edits, engine, export, load_cases, mesh_drawing, overlays, reading,
+from . import (adopt, analyses, assembled, difference_drawing, documents, edits, engine, export, history, load_cases, mesh_drawing, overlays, reading,
                recompute_errors, resolving, section, size_zone, solve_guard, solving, statics, statics_result, transfer, versions)
 from . import live_result as live_results
 from .about import facts
@@ -162,7 +162,7 @@ def recompute(document):
     seconds = time.perf_counter() - start
     found = recompute_errors.in_error(document)
     for mesh in meshes:
-        is_left = mesh.Automatic and "Touched" in mesh.State
+        is_left = mesh.Automatic and ("Touched" in mesh.State or not found.issuperset(history.edited_behind(mesh)))
         error = recompute_errors.error_of_part(versions.part_of(mesh), found if is_left else found - before)
         if error is not None:
             raise error

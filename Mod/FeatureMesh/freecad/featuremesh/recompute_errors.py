@@ -29,8 +29,8 @@ def first_error(depends_on, objects):
 
 
 def error_of_part(part, objects):
-    """The same of what the part's shape comes from."""
-    return first_error(dependencies(part), objects) if part is not None and objects else None
+    """The same of what the part's shape comes from, and of whatever else FreeCAD recomputes before the part, such as a datum line in its body."""
+    return first_error([*dependencies(part), *part.OutListRecursive], objects) if part is not None and objects else None
 
 
 def watch(hook):
