@@ -10,7 +10,7 @@ from unittest import mock
 import FreeCAD
 import Part
 import Sketcher
-from freecad.featuremesh import api, versions
+from freecad.featuremesh import api, mesh_properties, versions
 from freecad.featuremesh.edits import is_whole_number, parameter_value, set_parameter, value_to_vary
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
@@ -321,6 +321,25 @@ class Edits(unittest.TestCase):
                 api.recompute(self.document)
             self.assertAlmostEqual(self.body.Shape.BoundBox.ZLength, 10)
             self.assertIn("FreeCAD cannot recompute Spare: ", mesh.Status)
+
+    def test_what_is_in_error_in_a_linked_document_is_said(self):
+        other = FreeCAD.newDocument("Other")
+        self.addCleanup(FreeCAD.closeDocument, other.Name)
+        box, link = other.addObject("Part::Box", "Box"), self.document.addObject("App::Link", "Link")
+        for document in (other, self.document):
+            document.recompute()
+            document.saveAs(os.path.join(self.folder, document.Name + ".FCStd"))
+        link.LinkedObject = box
+        mesh = api.add_mesh(link, 5, order=1)
+        api.recompute(self.document)
+        for length in (0, -1):
+            box.Length = length
+            with self.assertRaisesRegex(UserError, "FreeCAD cannot recompute Other#Box: "):
+                api.recompute(self.document)
+            self.assertIn("FreeCAD cannot recompute Other#Box: ", mesh.Status)
+        box.Length = 12
+        api.recompute(self.document)
+        self.assertEqual((mesh.Status, mesh.FemMesh.BoundBox.XMax), (mesh_properties.UP_TO_DATE, 12))
 
     def test_dimensions_of_other_documents_are_none_of_a_study(self):
         """They would be looked for in the study's document, where another object may have the name."""

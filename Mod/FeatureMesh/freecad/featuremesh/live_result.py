@@ -334,7 +334,7 @@ def _outdate(live):
 def _fail(document, objects):
     """The result of an analysis with a member that FreeCAD could not recompute is that of before the edit. What lost its faces is in error for that reason."""
     for live in in_document(document):
-        error = recompute_errors.first_error([member for member in live.Members if not mesh_object.is_feature_mesh(member)], objects)
+        error = recompute_errors.first_error(live.Document, [member for member in live.Members if not mesh_object.is_feature_mesh(member)], objects)
         if error is not None:
             analysis = live.Proxy.analysis(live)
             lost = next((sentence for member, sentence in references.unmended(analysis) if member in objects), "") if analysis is not None else ""

@@ -18,19 +18,22 @@ _observer = None
 
 
 def in_error(document):
-    """The objects of the document that are in error."""
-    return {obj for obj in document.Objects if error_of(obj)}
+    """The objects of the document, and of those that it links to and FreeCAD recomputes with it, that are in error."""
+    return {obj for one in document.getDependentDocuments(False) for obj in one.Objects if error_of(obj)}
 
 
-def first_error(depends_on, objects):
-    """The NotRecomputed of the first that is among the objects in error, with FreeCAD's message; None where none is."""
+def first_error(document, depends_on, objects):
+    """For who looks from `document`: the NotRecomputed of the first that is among the objects in error, with FreeCAD's message; None where none is."""
     failed = next((obj for obj in depends_on if obj in objects), None)
-    return failed and NotRecomputed(said("FreeCAD cannot recompute {object:text}: {error:text}", object=describe(failed), error=error_of(failed)))
+    if failed is None:
+        return None
+    where = "" if failed.Document == document else failed.Document.Label + "#"   # as expressions name it
+    return NotRecomputed(said("FreeCAD cannot recompute {object:text}: {error:text}", object=where + describe(failed), error=error_of(failed)))
 
 
 def error_of_part(part, objects):
     """The same of what the part's shape comes from, and of whatever else FreeCAD recomputes before the part, such as a datum line in its body."""
-    return first_error([*dependencies(part), *part.OutListRecursive], objects) if part is not None and objects else None
+    return first_error(part.Document, [*dependencies(part), *part.OutListRecursive], objects) if part is not None and objects else None
 
 
 def watch(hook):
@@ -46,13 +49,13 @@ class _Observer:
     """FreeCAD 1.1 has no word before a recompute; so what was in error is known from the one before."""
 
     def __init__(self):
-        self._known = {}   # by the name of a document: the names of its objects that were in error when its last recompute ended
+        self._known = {}   # by the name of a document: what was in error when its last recompute ended, as the names of documents and objects
 
     def slotRecomputedDocument(self, document):
         found = in_error(document)
         known = self._known.get(document.Name, ())
-        self._known[document.Name] = {obj.Name for obj in found}
-        new = {obj for obj in found if obj.Name not in known}
+        self._known[document.Name] = {(obj.Document.Name, obj.Name) for obj in found}
+        new = {obj for obj in found if (obj.Document.Name, obj.Name) not in known}
         for hook in on_errors if new else ():
             hook(document, new)
 
