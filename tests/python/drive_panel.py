@@ -416,7 +416,7 @@ def check_shown():
     second.ViewObject.Visibility = True
     Gui.runCommand("FeatureMesh_MeshPart")
     spin()
-    assert not Gui.Control.activeDialog() and "several solids, select one" in window.messages[-1], window.messages[-1]
+    assert not Gui.Control.activeDialog() and "several parts, select one" in window.messages[-1], window.messages[-1]
     FreeCAD.closeDocument(document.Name)
 
 

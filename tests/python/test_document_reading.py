@@ -284,7 +284,7 @@ class Finding(unittest.TestCase):
         document = new_document()
         document.addObject("App::FeaturePython", "Plan")
         document.recompute()
-        with self.assertRaisesRegex(UserError, "no solid"):
+        with self.assertRaisesRegex(UserError, "has no part to mesh"):
             reading.find_meshable(document)
 
     def test_without_a_solid_faces_count_and_without_these_edges(self):
@@ -292,6 +292,10 @@ class Finding(unittest.TestCase):
         wire = document.addObject("Part::Feature", "Wire")
         wire.Shape = Part.makeLine((0, 0, 0), (10, 0, 0))
         self.assertIs(reading.find_meshable(document), wire)
+        other = document.copyObject(wire)
+        with self.assertRaisesRegex(UserError, "^the document has several parts, .*Wire, Wire001"):
+            reading.find_meshable(document)
+        document.removeObject(other.Name)
         plane = document.addObject("Part::Plane", "Plane")
         document.recompute()
         self.assertIs(reading.find_meshable(document), plane)

@@ -258,7 +258,7 @@ class Tasks(unittest.TestCase):
 
     def test_document_without_a_solid(self):
         path = self.save(Part.Vertex(3, 4, 0))
-        self.refused("no solid", command="mesh", part=path)
+        self.refused("has no part to mesh", command="mesh", part=path)
 
     def test_document_of_a_sheet(self):
         path = self.save(Part.makePlane(3, 4))

@@ -86,10 +86,10 @@ def find_meshable(document, name=None):
         return _checked_part(find_object(document, name))
     final = final_parts(document)
     if not final:
-        raise UserError(said("the document {document:text} has no solid to mesh", document=document.Label))
+        raise UserError(said("the document {document:text} has no part to mesh", document=document.Label))
     if len(final) > 1:
-        raise NotSelected(said("the document has several solids, select one, or the container of those to mesh: {solids:text}",
-                               solids=", ".join(map(describe, final))), NotSelected.OBJECT)
+        raise NotSelected(said("the document has several parts, select one, or the container of those to mesh: {parts:text}",
+                               parts=", ".join(map(describe, final))), NotSelected.OBJECT)
     return final[0]
 
 

@@ -1345,8 +1345,8 @@
       <translation>das Dokument hat mehrere Ergebnisse, eines mit --result angeben: {results:text}</translation>
     </message>
     <message>
-      <source>the document has several solids, select one, or the container of those to mesh: {solids:text}</source>
-      <translation>das Dokument hat mehrere Volumenkörper, einen auswählen oder den Container derer, die zu vernetzen sind: {solids:text}</translation>
+      <source>the document has several parts, select one, or the container of those to mesh: {parts:text}</source>
+      <translation>das Dokument hat mehrere Bauteile; eines auswählen oder den Container derer, die zu vernetzen sind: {parts:text}</translation>
     </message>
     <message>
       <source>the document was closed</source>
@@ -3801,8 +3801,8 @@
       <translation>das Dokument {document:text} hat kein Netz{of_part:messages}; eines anlegen (`featuremesh mesh`)</translation>
     </message>
     <message>
-      <source>the document {document:text} has no solid to mesh</source>
-      <translation>das Dokument {document:text} hat keinen Volumenkörper, der vernetzt werden kann</translation>
+      <source>the document {document:text} has no part to mesh</source>
+      <translation>das Dokument {document:text} hat kein Bauteil, das vernetzt werden kann</translation>
     </message>
     <message>
       <source>the document has no object {name:text}{near:messages}</source>
