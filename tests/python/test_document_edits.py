@@ -386,6 +386,16 @@ class Edits(unittest.TestCase):
         self.refused("Cylinder.Angle=400", "FreeCAD refuses 400")
         self.assertEqual(cylinder.Angle.Value, 360)
 
+    def test_what_was_refused_is_not_edited(self):
+        cylinder = self.document.addObject("Part::Cylinder", "Cylinder")
+        for assignment, obj in (("Cylinder.Angle=400", cylinder), ("HoleSketch.Radius=-2", self.sketch)):
+            for touched in (False, True):
+                self.document.recompute()
+                if touched:
+                    obj.touch()
+                self.refused(assignment, "FreeCAD refuses")
+                self.assertEqual("Touched" in obj.State, touched)
+
     def test_read_only(self):
         self.plate.setEditorMode("Length", ["ReadOnly"])
         self.refused("Plate.Length=3", "read-only")

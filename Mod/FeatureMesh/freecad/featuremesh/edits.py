@@ -31,7 +31,13 @@ def set_parameter(document, assignment):
     """
     target, value = _read(document, assignment)
     kind, obj, path = _found(document, target)
-    kind.set(obj, path, value)
+    was_touched = "Touched" in obj.State
+    try:
+        kind.set(obj, path, value)
+    except UserError:
+        if not was_touched:
+            obj.purgeTouched()   # for FreeCAD it is edited, and a sketch of an older one may not be computed any more
+        raise
 
 
 def value_before(document, assignment):
