@@ -426,7 +426,7 @@ class TiedAndInContact(InADocument):
         fixed = ObjectsFem.makeConstraintFixed(self.document, "Fixed")
         fixed.References = [(part, face_at(shape, 0, 0))]
         force = ObjectsFem.makeConstraintForce(self.document, "Force")
-        force.References = [(part, face_at(shape, COUNT - 1, COUNT * HEIGHT))]
+        force.References = [(part, face_at(shape, len(shape.Solids) - 1, len(shape.Solids) * HEIGHT))]
         force.Force = quantity(FORCE, "N")
         force.Reversed = True
         for obj in (fixed, force):
@@ -466,6 +466,11 @@ class TiedAndInContact(InADocument):
         self.check_solution(analysis, mesh, COUNT * HEIGHT)
         self.check_edit(mesh, boxes)
         self.check_solution(analysis, mesh, COUNT * HEIGHT + 2)
+
+    def test_parts_that_nothing_holds_are_named(self):
+        analysis = self.add_analysis(self.meshed(self.compound(tower(self.document)[:3])), with_joints=False)
+        with self.assertRaisesRegex(UserError, "^Solid2, Solid3 can still move along x, y and z and turn about x, y and z: add a support"):
+            api.solve_analysis(analysis, "ccx")
 
     def test_joined_parts_are_solved_without_ties(self):
         container = self.document.addObject("App::Part", "Machine")

@@ -22,7 +22,8 @@ _TOO_STIFF_BY = QT_TRANSLATE_NOOP("FeatureMesh", "4-node tetrahedra are too stif
                                   "{percent:count} % in the mean of the energy); 10-node tetrahedra (Order: 2nd) are far closer on the same mesh")
 
 _CAN_MOVE = QT_TRANSLATE_NOOP("FeatureMesh", "the part can still {how:messages}: add a support")
-_PIECE_CAN_MOVE = QT_TRANSLATE_NOOP("FeatureMesh", "a piece of the part that hangs on it by an edge, a vertex or not at all can still {how:messages}: add a support")
+_PIECES_CAN_MOVE = QT_TRANSLATE_NOOP("FeatureMesh", "{solids:entities} can still {how:messages}: add a support. "
+                                     "What shares no faces with the rest of the part needs one of its own")
 
 
 def mesh_of(analysis):
@@ -112,7 +113,8 @@ def refuse_free_motions(statics):
         raise NotUnderstood(said("the mesh falls into more pieces than the live solver looks at"))
     how = statics_supports.in_words(motions)
     if how:
-        raise CanMove(said(_CAN_MOVE if len(motions) == 1 else _PIECE_CAN_MOVE, how=how), statics_supports.moved(statics.arrays, motions, centre, scale))
+        words = said(_CAN_MOVE, how=how) if len(motions) == 1 else said(_PIECES_CAN_MOVE, how=how, solids=statics_supports.solids_as_free(statics.arrays, motions))
+        raise CanMove(words, statics_supports.moved(statics.arrays, motions, centre, scale))
 
 
 def responses(statics, fields):

@@ -73,11 +73,20 @@ def moved(arrays, motions, centre, scale):
 
 
 def in_words(motions):
-    """What is free as a message, a sentence's part: "move along x and turn about z"; None when nothing is."""
+    """What is free of the body that is so most, as a message, a sentence's part: "move along x and turn about z"; None when nothing is."""
     if motions is None or motions.shape[2] == 0:
         return None
-    moving = max(range(len(motions)), key=lambda body: np.linalg.norm(motions[body]))
-    own = motions[moving]
+    return _of_body(max(motions, key=np.linalg.norm))
+
+
+def solids_as_free(arrays, motions):
+    """The names of the solids of all bodies that are as free as that one."""
+    how, bodies = in_words(motions), engine.load().statics_bodies(arrays)
+    as_free = np.array([_of_body(own) == how for own in motions])
+    return ["Solid%d" % (solid + 1) for solid in np.unique(arrays["tet_solids"][as_free[bodies]])]
+
+
+def _of_body(own):
     shifts = own @ _null_space(own[3:])          # those without a turn
     turns = own[3:] if own[3:].size else np.zeros((3, 0))
     free = []

@@ -3121,8 +3121,8 @@
       <translation>eine lokale Größe ist für Flächen, Kanten oder Eckpunkte; die Größe für das ganze Bauteil ist die des Netzes</translation>
     </message>
     <message>
-      <source>a piece of the part that hangs on it by an edge, a vertex or not at all can still {how:messages}: add a support</source>
-      <translation>ein Stück des Bauteils, das nur mit einer Kante, einem Eckpunkt oder gar nicht an ihm hängt, kann sich noch {how:messages}: ein Lager hinzufügen</translation>
+      <source>{solids:entities} can still {how:messages}: add a support. What shares no faces with the rest of the part needs one of its own</source>
+      <translation>{solids:entities} kann sich noch {how:messages}: ein Lager hinzufügen. Was keine Flächen mit dem übrigen Bauteil teilt, braucht ein eigenes</translation>
     </message>
     <message>
       <source>a refinement zone is one of {kinds:text}, not {kind:text}</source>
