@@ -13,7 +13,7 @@ import numpy as np
 import ObjectsFem
 import Part
 from analyses import add_material, add_solver, quantity, solve
-from freecad.featuremesh import api, assembled, mesh_object, solve_guard, tasks, versions
+from freecad.featuremesh import api, assembled, mesh_object, resolving, solve_guard, tasks, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import in_english
 from parts import groups_in_freecad, new_document, placement
@@ -297,6 +297,29 @@ class Assembly(InADocument):
         self.assertEqual((mesh.Status, mesh.KeptTets), (mesh_object.UP_TO_DATE, 100))
         (solid,) = shown.Shape.Solids
         self.assertLess((solid.CenterOfMass - link.Shape.Solids[0].CenterOfMass).Length, 1e-9)
+
+    def test_a_link_to_a_container_with_datums_is_meshed_without_these(self):
+        """Their shapes have no end."""
+        inner, outer = self.document.addObject("App::Part", "Inner"), self.document.addObject("App::Part", "Outer")
+        for type_, name in (("PartDesign::CoordinateSystem", "Origins"), ("Part::Box", "Box"), ("PartDesign::Plane", "Datum")):
+            inner.addObject(self.document.addObject(type_, name))
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject, link.Placement = inner, placement(30, 40, 50, 30, (1, 2, 3))
+        outer.addObject(link)
+        self.document.recompute()
+        for part in (link, outer):
+            mesh = self.meshed(part, 3)
+            shown = versions.part_of(mesh).Shape
+            self.assertAlmostEqual(shown.Volume, 1000)
+            self.assertEqual((len(shown.Faces), shown.BoundBox.DiagonalLength < 40), (6, True))
+            at = link.Shape.getElement("Face4").CenterOfMass   # the first is that of the coordinate system
+            names = resolving.Resolver(versions.part_of(mesh)).names(link, "Face4")
+            self.assertEqual([(shown.getElement(name).CenterOfMass - at).Length < 1e-6 for name in names], [True])
+            self.document.Box.Length = 12 if part is link else 10
+            self.document.recompute()
+            self.assertEqual((mesh.Status, mesh.KeptTets > 20), (mesh_object.UP_TO_DATE, True))
+            self.document.Box.Length = 10
+            self.document.recompute()
 
     def joined_tower(self):
         container = self.document.addObject("App::Part", "Machine")

@@ -30,6 +30,7 @@ PROPERTIES = [
     ("App::PropertyPlacementList", "Places", "Parts", None, True, "Where the solids of the parts were when they were put together"),
 ]
 _LOST = 1e-4   # share of a solid's volume by which its pieces may differ from it
+_ENDLESS = 1e99   # mm, of what has no end
 # Called with every object that was made or opened; the window's side adds its view there.
 on_ready = []
 
@@ -59,7 +60,7 @@ class AssembledParts(Stateless):
             raise UserError(said("{container:text} has no part with a solid", container=reading.describe(obj.Container)))
         if parts != obj.Parts:
             obj.Parts = parts
-        shapes = [reading.shape_in_place(part) for part in parts]
+        shapes = [_with_an_end(reading.shape_in_place(part)) for part in parts]
         obj.Places = _places_of(shapes)
         if obj.Join:
             shapes = joined(parts, shapes)
@@ -89,6 +90,17 @@ def was_moved(obj):
         return False
     now = _places_of(map(reading.shape_in_place, obj.Parts)) if all(map(reading.has_shape, obj.Parts)) else []
     return len(now) != len(obj.Places) or not all(map(versions.are_same_place, now, obj.Places))
+
+
+def _with_an_end(shape):
+    """Without the datum planes and coordinate systems that a link to a container shows, too."""
+    if _has_an_end(shape) or shape.ShapeType != "Compound":
+        return shape
+    return Part.makeCompound([_with_an_end(own) for own in shape.SubShapes if own.ShapeType == "Compound" or _has_an_end(own)])
+
+
+def _has_an_end(shape):
+    return shape.BoundBox.DiagonalLength < _ENDLESS
 
 
 def _places_of(shapes):
