@@ -320,6 +320,8 @@ class Assembly(InADocument):
             self.assertEqual((mesh.Status, mesh.KeptTets > 20), (mesh_object.UP_TO_DATE, True))
             self.document.Box.Length = 10
             self.document.recompute()
+        with self.assertRaisesRegex(UserError, "^Compound has a face without an end"):
+            api.add_mesh(self.compound([link]))
 
     def joined_tower(self):
         container = self.document.addObject("App::Part", "Machine")

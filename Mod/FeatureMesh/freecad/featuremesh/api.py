@@ -73,6 +73,7 @@ def _shown_by_one(part):
             reading.refuse_unmeshable(part)
         part = assembled.of(part)
     reading.refuse_unmeshable(part)
+    assembled.refuse_endless(part)
     return part
 
 

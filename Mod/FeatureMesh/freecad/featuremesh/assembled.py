@@ -103,6 +103,12 @@ def _has_an_end(shape):
     return shape.BoundBox.DiagonalLength < _ENDLESS
 
 
+def refuse_endless(part):
+    """Throws UserError for what holds a datum plane or a coordinate system: no size fits it."""
+    if not _has_an_end(part.Shape):
+        raise UserError(said("{part:text} has a face without an end, that of a datum plane or a coordinate system; leave it out", part=reading.describe(part)))
+
+
 def _places_of(shapes):
     return [solid.Placement for shape in shapes for solid in shape.Solids]
 

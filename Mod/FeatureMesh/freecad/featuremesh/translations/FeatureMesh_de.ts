@@ -1893,6 +1893,10 @@
       <translation>{part:text} besteht aus Dreiecken; machen Sie daraus einen Festkörper (Part: Form aus Netz erstellen, In Festkörper umwandeln) und vernetzen Sie den</translation>
     </message>
     <message>
+      <source>{part:text} has a face without an end, that of a datum plane or a coordinate system; leave it out</source>
+      <translation>{part:text} hat eine Fläche ohne Ende, die einer Bezugsebene oder eines Koordinatensystems; diese weglassen</translation>
+    </message>
+    <message>
       <source>{part:text} has a mesh already: {mesh:text}; delete one of the two</source>
       <translation>{part:text} hat schon ein Netz: {mesh:text}; eines von beiden löschen</translation>
     </message>
