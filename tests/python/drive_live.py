@@ -378,18 +378,20 @@ def check_freecads_own(document, live_panel, live):
 
 
 def check_beside_a_pipeline(document, analysis, live):
-    """Of the live result and FreeCAD's pipeline, which are in one place, that is seen which was shown last. Another analysis is in another place."""
+    """Of the live result and FreeCAD's pipeline, which are in one place, that is seen which was shown last; when the pipeline is deleted, as FEM purges
+    results, the live result. Another analysis is in another place."""
     pipeline = document.addObject("Fem::FemPostPipeline", "Pipeline")
     analysis.addObject(pipeline)
     assert pipeline.ViewObject.Visibility and not live.ViewObject.Visibility
-    for shown, hidden in ((live, pipeline), (pipeline, live), (live, pipeline)):
+    for shown, hidden in ((live, pipeline), (pipeline, live)):
         shown.ViewObject.Visibility = True
         assert shown.ViewObject.Visibility and not hidden.ViewObject.Visibility, (shown.Name, hidden.Name)
     elsewhere = ObjectsFem.makeAnalysis(document)
     elsewhere.addObject(document.addObject("Fem::FemPostPipeline", "Elsewhere"))
-    assert live.ViewObject.Visibility and elsewhere.Group[0].ViewObject.Visibility
+    assert pipeline.ViewObject.Visibility and elsewhere.Group[0].ViewObject.Visibility
     for obj in (pipeline, elsewhere.Group[0], elsewhere):
         document.removeObject(obj.Name)
+    wait_for(lambda: live.ViewObject.Visibility, 5)
 
 
 def check_ends(document, live):

@@ -5,7 +5,7 @@ import FreeCAD
 from PySide import QtCore
 
 from .. import analyses, api, assembled, versions
-from ..live_result import in_document, is_live_result
+from ..live_result import has_result, in_document, is_live_result
 from ..mesh_object import is_feature_mesh
 
 _POST = "Fem::FemPostObject"   # pipelines and their filters
@@ -108,14 +108,14 @@ def uncover(live):
 
 
 class _Observer:
-    """Undo and deletion take a mesh or a live result away and leave hidden what it was shown in place of, so that nothing would be seen; when it is back, that
-    is hidden again."""
+    """Undo and deletion take a mesh, a live result or a pipeline away and leave hidden what it was shown in place of, so that nothing would be seen; when it is
+    back, that is hidden again."""
 
     def __init__(self):
         self._shown = {}   # (name of a document, name of what is gone) -> names of what is shown in its place
 
     def slotDeletedObject(self, obj):
-        if obj.Visibility and (is_feature_mesh(obj) or is_live_result(obj)) or any(live.Visibility for live in _live_results_of(obj)):
+        if obj.Visibility and _mesh_of(obj) is not None or any(live.Visibility for live in _live_results_of(obj)):
             # Undo may have taken away some of these before, and they have no name then.
             choices = [[there.Name for there in obj.Document.Objects if there in hidden] for hidden in _hidden_behind(obj)]
             place = obj.Document.Name, obj.Name
@@ -183,12 +183,15 @@ def _analyses_above(obj):
 
 
 def _hidden_behind(obj):
-    """What a mesh or a live result is seen in place of: lists of objects, the one to show first if it is still there."""
+    """What a mesh, a live result or a pipeline is seen in place of: lists of objects, the one to show first if it is still there."""
     mesh = _mesh_of(obj)
     if mesh is None:
         return []
     parts = [part for part in _meshed(mesh) if not part.Visibility]
-    return [parts] if mesh is obj else [[mesh], parts]
+    if mesh is obj:
+        return [parts]
+    solved = [[live] for live in _live_results_of(mesh) if has_result(live)] if obj.isDerivedFrom(_POST) else []
+    return [*solved, [mesh], parts]
 
 
 def _live_results_of(mesh):
@@ -203,7 +206,9 @@ def _drawn_of_results(mesh):
 
 
 def _mesh_of(obj):
-    """The mesh itself, or that of a live result; of anything else None."""
+    """The mesh itself, or that of a live result or of a pipeline's analysis; of anything else None."""
+    if obj.isDerivedFrom(_POST):
+        return next((member for analysis in _analyses_above(obj) for member in analysis.Group if is_feature_mesh(member)), None)
     return obj if is_feature_mesh(obj) else obj.Proxy.mesh(obj) if is_live_result(obj) else None
 
 
