@@ -378,11 +378,11 @@ def check_freecads_own(document, live_panel, live):
 
 
 def check_beside_a_pipeline(document, analysis, live):
-    """Of the live result and FreeCAD's pipeline, which are in one place, that is seen which was shown last; when the pipeline is deleted, as FEM purges
-    results, the live result. Another analysis is in another place."""
-    pipeline = document.addObject("Fem::FemPostPipeline", "Pipeline")
+    """Of the live result and FreeCAD's pipeline, in one place with the mesh, that is seen which was shown last; the other when it is deleted. Another analysis is elsewhere."""
+    mesh, pipeline = live.Proxy.mesh(live), document.addObject("Fem::FemPostPipeline", "Pipeline")
+    mesh.ViewObject.Visibility = True
     analysis.addObject(pipeline)
-    assert pipeline.ViewObject.Visibility and not live.ViewObject.Visibility
+    assert pipeline.ViewObject.Visibility and not live.ViewObject.Visibility and not mesh.ViewObject.Visibility
     for shown, hidden in ((live, pipeline), (pipeline, live)):
         shown.ViewObject.Visibility = True
         assert shown.ViewObject.Visibility and not hidden.ViewObject.Visibility, (shown.Name, hidden.Name)

@@ -128,7 +128,10 @@ class _Observer:
             _hide_what_it_covers(obj)
             _show_tip(obj)
         elif analyses.is_analysis(obj) and obj.Group:
-            _hide_what_it_covers(obj.Group[-1])   # what was added last
+            added = obj.Group[-1]
+            _hide_what_it_covers(added)
+            if added.Visibility and added.isDerivedFrom(_POST):
+                _set_visible(filter(is_feature_mesh, obj.Group), False)
 
     def slotUndoDocument(self, document):
         name = document.Name   # it may be closed at once
