@@ -168,6 +168,11 @@ class LoadCases(MeshedPlate):
         self.assertIn("has no mesh", solve_guard.reason(bare))
         shared = api.share_mesh(self.mesh, bare)
         self.assertEqual(solve_guard.reason(bare), "")
+        if "Suppressed" not in shared.PropertiesList:   # before FreeCAD 1.1
+            shared.addProperty("App::PropertyBool", "Suppressed")
+        shared.Suppressed = True
+        self.assertIn("is suppressed, and Bare has no other mesh", solve_guard.reason(bare))
+        shared.Suppressed = False
         with self.assertRaisesRegex(UserError, "already"):
             api.share_mesh(self.mesh, bare)
         own = api.copy_analysis(self.analysis, "Own", mesh="own")

@@ -99,6 +99,14 @@ def take_in(analysis, obj):
         analysis.purgeTouched()
 
 
+def without_its_mesh(analysis):
+    """Says that the analysis has no mesh but one that is suppressed, as FreeCAD 1.1 can; None where that is not so."""
+    suppressed = [member for member in analysis.Group if member.isDerivedFrom("Fem::FemMeshObject") and getattr(member, "Suppressed", False)]
+    if meshes_of(analysis) or not suppressed:
+        return None
+    return said("{mesh:text} is suppressed, and {analysis:text} has no other mesh", mesh=describe(suppressed[0]), analysis=describe(analysis))
+
+
 def studies_of(mesh):
     """The studies whose faces, edges and vertices go with this mesh: of several meshes of their part with the first."""
     part = versions.part_of(mesh)

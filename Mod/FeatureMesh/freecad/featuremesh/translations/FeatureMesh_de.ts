@@ -1909,6 +1909,10 @@
       <translation>{format:text} kann kein Netz aus Kanten enthalten; es als inp, vtu, vtk, msh, unv oder med exportieren</translation>
     </message>
     <message>
+      <source>{mesh:text} is suppressed, and {analysis:text} has no other mesh</source>
+      <translation>{mesh:text} ist unterdrückt, und {analysis:text} hat kein anderes Netz</translation>
+    </message>
+    <message>
       <source>{analysis:text} has no mesh of FeatureMesh to copy along</source>
       <translation>{analysis:text} hat kein Netz von FeatureMesh, das mitkopiert werden könnte</translation>
     </message>
