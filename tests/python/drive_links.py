@@ -179,6 +179,28 @@ def check_scene(scene):
     spin()
 
 
+def check_link_to_feature():
+    """FEM's panels refuse a face of a link to anything but a body, so that the assembled parts are seen while faces are clicked, and the container again then."""
+    from freecad.featuremesh import api, versions
+    document = FreeCAD.newDocument("Feature")
+    box = document.addObject("Part::Box", "Box")
+    made = container(document, link_to(document, box))
+    box.ViewObject.Visibility = False
+    document.recompute()
+    mesh, analysis = api.add_mesh(made, 4), ObjectsFem.makeAnalysis(document, "Analysis")
+    analysis.addObject(mesh)
+    document.recompute()
+    FemGui.setActiveAnalysis(analysis)
+    Gui.activeDocument().activeView().viewIsometric()
+    Gui.SendMsgToActiveView("ViewFit")
+    show_again(made, mesh)
+    spin(1)
+    load = load_by_hand(document, "FEM_ConstraintFixed", made.Placement.multiply(TURNED).multVec(FreeCAD.Vector(4, 6, 10)))
+    assert load.References == [(versions.part_of(mesh), ("Face6",))] and nodes_of(mesh, load.Name + "_Nodes"), load.References
+    assert made.Visibility and not versions.part_of(mesh).Visibility
+    FreeCAD.closeDocument(document.Name)
+
+
 def check_active_assembly():
     """An assembly of FreeCAD 1.x is being edited from its making on; the mesh follows an edit of a part all the same."""
     from freecad.featuremesh import api, versions
@@ -211,6 +233,7 @@ def drive():
     spin(1)
     for scene in (body_in_container, placed_link, link_in_container, second_link_in_container, link_to_container):
         check_scene(scene)
+    check_link_to_feature()
     check_active_assembly()
 
 

@@ -189,6 +189,11 @@ def seen_as(obj):
     return obj.Container or obj if is_assembled(obj) else obj
 
 
+def is_refused_by_fem(obj):
+    """Do FEM's panels refuse a face of one of its parts that is clicked? They take those of a link to a body, which has features, and of no other link."""
+    return is_assembled(obj) and any(part.isDerivedFrom("App::Link") and not hasattr(part.LinkedObject, "Group") for part in obj.Parts)
+
+
 def parts_in(container):
     """The objects with a solid in a container and in the containers in it that none of the others is made of, in order; a link itself."""
     if not is_container(container):

@@ -29,8 +29,9 @@ def show_to_click(obj):
     meshes. Returns what `restore` needs to show the meshes again, or the results that were seen in place of them."""
     before = []
     for mesh in api.meshes_of(obj.Document):
-        for shown in _meshed(mesh)[-1:]:   # of assembled parts what they are in
-            seen = [result for result in (*_live_results_of(mesh), *_drawn_of_results(mesh)) if result.ViewObject.Visibility]
+        for shown in _to_click_on(mesh):
+            covering = [other for other in (*_live_results_of(mesh), *_drawn_of_results(mesh), *_meshed(mesh)) if other is not shown]
+            seen = [other for other in covering if other.ViewObject.Visibility]
             is_hidden = not shown.ViewObject.Visibility
             if (is_hidden or seen) and _is_about(obj, mesh):
                 back = [*seen, *([] if any(map(_is_seen, seen)) else [mesh])]
@@ -245,6 +246,12 @@ def _meshed(mesh):
     part = versions.part_of(mesh)
     shown = [part, part.Container] if part is not None and assembled.is_assembled(part) else [part]
     return [obj for obj in shown if obj is not None]
+
+
+def _to_click_on(mesh):
+    """Of assembled parts what they are in, unless FEM's panels would refuse a click there: "Selected object is not a part!"."""
+    meshed = _meshed(mesh)
+    return meshed[:1] if any(map(assembled.is_refused_by_fem, meshed)) else meshed[-1:]
 
 
 def _is_seen(obj):
