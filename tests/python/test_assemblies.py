@@ -247,6 +247,7 @@ class Assembly(InADocument):
         self.assertEqual((mesh.Status, mesh.KeptTets, mesh.FemMesh.BoundBox.XMax), (mesh_object.UP_TO_DATE, 100, 20 + SIDE))
         self.document.undo()
         self.assertEqual(mesh.Status, mesh_object.OUT_OF_DATE)
+        self.assertIn("was changed and not recomputed; update it", mesh.Proxy.why_not_to_solve(mesh))   # it is automatic already
         self.document.recompute()
         self.assertEqual((mesh.Status, mesh.KeptTets, mesh.FemMesh.BoundBox.XMax), (mesh_object.UP_TO_DATE, 100, SIDE))
         self.document.openTransaction("Cancelled")

@@ -154,6 +154,8 @@ def status_in_words(obj, status=None):
     status = status or obj.Status
     if status.startswith(FAILED):
         return FreeCAD.Qt.translate("FeatureMesh", "failed: %s") % user_words.in_words(failure_of(obj))
+    if status == OUT_OF_DATE and obj.Automatic:
+        status = QT_TRANSLATE_NOOP("FeatureMesh", "out of date: the part or a setting was changed and not recomputed")
     return FreeCAD.Qt.translate("FeatureMesh", status)
 
 

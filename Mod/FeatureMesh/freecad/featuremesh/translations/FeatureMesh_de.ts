@@ -3665,6 +3665,10 @@
       <translation>veraltet: die letzte Aktualisierung wurde abgebrochen</translation>
     </message>
     <message>
+      <source>out of date: the part or a setting was changed and not recomputed</source>
+      <translation>veraltet: das Bauteil oder eine Einstellung wurde geändert und nicht neu berechnet</translation>
+    </message>
+    <message>
       <source>out of date: the part or a setting changed, update by hand or switch Automatic on</source>
       <translation>veraltet: das Bauteil oder eine Einstellung hat sich geändert; von Hand aktualisieren oder Automatic einschalten</translation>
     </message>
