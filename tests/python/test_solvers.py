@@ -28,6 +28,12 @@ class LoadsAndDensities(Case):
         self.assertIn("all loads act on what the supports hold", " ".join(map(english, report["warnings"])))
         self.assertAlmostEqual(abs(report["responses"]["reactions_n"]["Fixed"][2]), 1000, delta=1e-3)
 
+    @unittest.skipUnless(hasattr(ObjectsFem, "makePostHistogram"), "FreeCAD before 1.1")
+    def test_plots_of_results_are_nothing_to_solve(self):
+        for make in (ObjectsFem.makePostHistogram, ObjectsFem.makePostLineplot, ObjectsFem.makePostTable):
+            self.of_the_box.addObject(make(self.document))
+        self.assertGreater(statics.solve(self.of_the_box)[1]["responses"]["max_displacement_mm"], 0)
+
     def test_a_density_without_its_unit_is_none(self):
         for density in ("7850", "", "heavy", "7850 MPa"):
             self.document.Steel.Material = dict(STEEL, Density=density)

@@ -329,9 +329,9 @@ def _is_without_effect(member):
 
 
 def is_result(member):
-    """Is this what a solution left in an analysis, such as what CalculiX printed, rather than what is to be solved?"""
+    """Is this what a solution left in an analysis, such as what CalculiX printed, or a plot of that, rather than what is to be solved?"""
     return any(member.isDerivedFrom(kind) for kind in ("Fem::FemResultObject", "Fem::FemPostObject", "App::TextDocument")) \
-        or any(femutils.is_of_type(member, kind) for kind in ("Fem::MeshResult", LIVE_RESULT))
+        or any(femutils.is_of_type(member, kind) for kind in ("Fem::MeshResult", "Fem::FemPostVisualization", LIVE_RESULT))
 
 
 def _check_solver(analysis):
