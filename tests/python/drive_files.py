@@ -15,6 +15,7 @@ import FemGui  # noqa: E402
 import FreeCAD  # noqa: E402
 import FreeCADGui as Gui  # noqa: E402
 import ImportGui  # noqa: E402
+import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 from window import click_button_of, click_in_panel, figures, panel, picture, spin, type_into, wait_for  # noqa: E402
@@ -128,9 +129,21 @@ def check_opened_result(path):
         spin(1)
         picture("opened_result")
         assert [name for name in names if document.getObject(name).Visibility] == [seen], seen
+    check_filter_deleted(document, document.getObject("Pipeline"))
     document.removeObject("Pipeline")
     check_purged(document, document.getObject(names[0]))
     FreeCAD.closeDocument(document.Name)
+
+
+def check_filter_deleted(document, pipeline):
+    """What it was shown in place of is seen again."""
+    from freecad.featuremesh import api
+    pipeline.ViewObject.Visibility = True
+    warped = ObjectsFem.makePostVtkFilterWarp(document, pipeline)
+    for hidden in (pipeline, document.Body, *api.meshes_of(document)):
+        hidden.ViewObject.Visibility = False
+    document.removeObject(warped.Name)
+    wait_for(lambda: pipeline.ViewObject.Visibility, 5)
 
 
 def check_purged(document, live):

@@ -187,15 +187,15 @@ def _analyses_above(obj):
 
 
 def _hidden_behind(obj):
-    """What a mesh, a live result or a pipeline is seen in place of: lists of objects, the one to show first if it is still there."""
+    """What a mesh, a live result, a pipeline or a filter is seen in place of: lists of objects, the one to show first if it is still there."""
     mesh = _mesh_of(obj)
     if mesh is None:
         return []
     parts = [part for part in _meshed(mesh) if not part.Visibility]
     if mesh is obj:
         return [parts]
-    solved = [[live] for live in _live_results_of(mesh) if has_result(live)] if obj.isDerivedFrom(_POST) else []
-    return [*solved, [mesh], parts]
+    results = [[above] for above in obj.InList if above.isDerivedFrom(_POST)] + [[live] for live in _live_results_of(mesh) if has_result(live)]
+    return [*(results if obj.isDerivedFrom(_POST) else []), [mesh], parts]
 
 
 def _live_results_of(mesh):
