@@ -30,9 +30,12 @@ class LoadsAndDensities(Case):
 
     @unittest.skipUnless(hasattr(ObjectsFem, "makePostHistogram"), "FreeCAD before 1.1")
     def test_plots_of_results_are_nothing_to_solve(self):
-        for make in (ObjectsFem.makePostHistogram, ObjectsFem.makePostLineplot, ObjectsFem.makePostTable):
-            self.of_the_box.addObject(make(self.document))
-        self.assertGreater(statics.solve(self.of_the_box)[1]["responses"]["max_displacement_mm"], 0)
+        plots = [make(self.document) for make in (ObjectsFem.makePostHistogram, ObjectsFem.makePostLineplot, ObjectsFem.makePostTable)]
+        self.of_the_box.addObjects(plots)
+        for _ in range(2):
+            self.assertGreater(statics.solve(self.of_the_box)[1]["responses"]["max_displacement_mm"], 0)
+            for plot in plots:
+                vars(plot.Proxy).pop("Type", None)   # as in a document that was opened
 
     def test_a_density_without_its_unit_is_none(self):
         for density in ("7850", "", "heavy", "7850 MPa"):

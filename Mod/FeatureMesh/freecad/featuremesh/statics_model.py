@@ -331,7 +331,12 @@ def _is_without_effect(member):
 def is_result(member):
     """Is this what a solution left in an analysis, such as what CalculiX printed, or a plot of that, rather than what is to be solved?"""
     return any(member.isDerivedFrom(kind) for kind in ("Fem::FemResultObject", "Fem::FemPostObject", "App::TextDocument")) \
-        or any(femutils.is_of_type(member, kind) for kind in ("Fem::MeshResult", "Fem::FemPostVisualization", LIVE_RESULT))
+        or any(femutils.is_of_type(member, kind) for kind in ("Fem::MeshResult", LIVE_RESULT)) or _is_plot(member)
+
+
+def _is_plot(member):
+    """Is this a histogram, line plot or table of FreeCAD 1.1? In a document that was opened it has no type of its own."""
+    return type(getattr(member, "Proxy", None)).__module__.startswith("femobjects.post_")
 
 
 def _check_solver(analysis):
