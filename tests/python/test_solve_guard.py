@@ -217,6 +217,18 @@ class SolveGuard(unittest.TestCase):
             self.document.recompute()
             self.assertEqual((self.mesh.Status, self.mesh.FemMesh.BoundBox.XMax), (mesh_properties.OUT_OF_DATE, 50))
 
+    def test_a_frozen_mesh_does_not_follow_an_edit_and_is_not_solved(self):
+        with mock.patch.object(versions, "is_frozen", lambda obj: obj is self.mesh):
+            self.document.recompute()
+            before = self.mesh.FemMesh.BoundBox.XMax
+            result = self.add_result()
+            self.assertEqual(self.problem(), "")
+            self.edit_frozen(50)
+            self.document.recompute()
+            self.refuses("is out of date")
+            self.assertEqual((self.mesh.Status, self.mesh.FemMesh.BoundBox.XMax), (mesh_properties.OUT_OF_DATE, before))
+            self.assertTrue(results.is_old(result))
+
     def test_a_frozen_part_that_is_saved_after_a_script_edited_it(self):
         """FreeCAD does not save what is frozen."""
         with mock.patch.object(versions, "is_frozen", lambda obj: obj is self.part):

@@ -123,7 +123,10 @@ class _Observer:
 
     def slotRecomputedDocument(self, document):
         for mesh in _missed_an_edit(document):
-            mesh.recompute()
+            if versions.is_frozen(mesh):
+                mesh.Status = OUT_OF_DATE
+            else:
+                mesh.recompute()
         references.look_again(document)
         for mesh in _meshes_in(document):
             results.mark(mesh)   # an expression may have changed a load

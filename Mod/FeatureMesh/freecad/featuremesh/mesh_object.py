@@ -241,9 +241,9 @@ class FeatureMesh(Stateless):
         return translate("FeatureMesh", "%s is %s; update it before solving") % (describe(mesh), status_in_words(mesh, status))
 
     def missed_an_edit(self, mesh):
-        """Is the mesh not that of its part, which is frozen, or whose container was moved, without a word from FreeCAD?"""
+        """Is the mesh not that of its part, where one of them is frozen, or what the part is in was moved, without a word from FreeCAD?"""
         part = versions.part_of(mesh) if is_of_its_part(mesh) and self._shape is not None else None
-        return part is not None and (versions.is_frozen(part) and not part.Shape.isSame(self._shape)
+        return part is not None and (any(map(versions.is_frozen, (part, mesh))) and not part.Shape.isSame(self._shape)
                                      or not versions.are_same_place(versions.parent_frame(part), self._frame))
 
     def clicked_elsewhere(self, mesh, members):
