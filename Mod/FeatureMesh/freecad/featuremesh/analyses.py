@@ -12,6 +12,7 @@ from .reading import describe, refuse_gone
 from .resolving import Resolver, pairs_of
 
 translate = FreeCAD.Qt.translate
+MESH_IS_SUPPRESSED = FreeCAD.Qt.QT_TRANSLATE_NOOP("FeatureMesh", "{mesh:text} is suppressed, and {analysis:text} has no other mesh")
 _OURS, SHARED, _STUDY = "Fem::FeatureMesh", "Fem::FeatureMeshShared", "FeatureMesh::Study"
 
 
@@ -99,12 +100,10 @@ def take_in(analysis, obj):
         analysis.purgeTouched()
 
 
-def without_its_mesh(analysis):
-    """Says that the analysis has no mesh but one that is suppressed, as FreeCAD 1.1 can; None where that is not so."""
+def suppressed_mesh_of(analysis):
+    """The mesh of an analysis that has no other and this one suppressed, as FreeCAD 1.1 can; None where that is not so."""
     suppressed = [member for member in analysis.Group if member.isDerivedFrom("Fem::FemMeshObject") and getattr(member, "Suppressed", False)]
-    if meshes_of(analysis) or not suppressed:
-        return None
-    return said("{mesh:text} is suppressed, and {analysis:text} has no other mesh", mesh=describe(suppressed[0]), analysis=describe(analysis))
+    return suppressed[0] if suppressed and not meshes_of(analysis) else None
 
 
 def studies_of(mesh):

@@ -36,8 +36,8 @@ def reason(analysis):
     if analysis is None:
         return ""
     meshes, known = analyses.meshes_of(analysis), analyses.meshes_in(analysis.Document)
-    if suppressed := analyses.without_its_mesh(analysis):
-        return in_words(suppressed)
+    if suppressed := analyses.suppressed_mesh_of(analysis):
+        return in_words(said(analyses.MESH_IS_SUPPRESSED, mesh=describe(suppressed), analysis=describe(analysis)))
     if known and not meshes:
         return translate("FeatureMesh", "%s has no mesh; let it share %s (api.share_mesh), or give it one of its own") % (analysis.Label, known[0].Label)
     for mesh in filter(analyses.is_ours, meshes):

@@ -30,8 +30,8 @@ def mesh_of(analysis):
     """The mesh object of an analysis. Throws NotUnderstood where it is not ours, or not one."""
     meshes = [member for member in statics_model.members_of(analysis)
               if member.isDerivedFrom("Fem::FemMeshObject") and not member.Name.startswith("ResultMesh")]
-    if suppressed := analyses.without_its_mesh(analysis):
-        raise NotUnderstood(suppressed)
+    if suppressed := analyses.suppressed_mesh_of(analysis):
+        raise NotUnderstood(said(analyses.MESH_IS_SUPPRESSED, mesh=describe(suppressed), analysis=describe(analysis)))
     if len(meshes) != 1 or analyses.source_of(meshes[0]) is None:
         raise NotUnderstood(said("the live solver needs one mesh of FeatureMesh in the analysis {analysis:text}: select its part, and Mesh a part, or drag its mesh there",
                                   analysis=describe(analysis)))
