@@ -1,8 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drives the live result in FreeCAD's real window: the command, solving beside the window, edits and Cancel on the way, what is seen of it.
-
-Run by test_window.py; see drive_window.py for the result and the pictures.
-"""
+"""Drives the live result in FreeCAD's real window: the command, solving beside the window, edits and Cancel on the way, what is seen. Run by test_window.py; see drive_window.py."""
 import contextlib
 import os
 import sys
