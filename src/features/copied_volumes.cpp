@@ -13,6 +13,8 @@ namespace featuremesh {
 
 namespace {
 
+using Placements = std::vector<gp_Trsf>;
+
 using Volumes = std::vector<FeatureVolume>;
 
 void append(Volumes& volumes, const Volumes& more, Effect step) {

@@ -17,6 +17,7 @@
 #include <gp_Pln.hxx>
 #include <numbers>
 #include <optional>
+#include <string>
 
 #include "brep/occt_geometry.h"
 #include "core/geometry.h"
@@ -28,6 +29,8 @@ namespace {
 constexpr std::size_t most_candidates = 16;
 /// Numbers of occurrences have room for so many of each of three transformations.
 constexpr std::int64_t most_occurrences = 1 << 20, largest_stride = most_occurrences * most_occurrences;
+constexpr std::int64_t most_in_a_row = 1 << 10;  ///< of a linear pattern's first direction, so that numbers stay
+constexpr double as_elsewhere = -1;              ///< a spacing that is not given by itself
 constexpr double degree = std::numbers::pi / 180;
 
 double number(const RawRecord& record, const std::string& name, double otherwise) {
@@ -96,65 +99,107 @@ RawLink as_normal(RawLink link) {
     return link;
 }
 
-std::vector<Placements> linear(const RawRecord& pattern, const DocumentView& document) {
-    const int count = static_cast<int>(number(pattern, "Occurrences", 1));
-    if (count < 2) return {Placements(1)};
-    std::vector<double> steps{number(pattern, "Length", 0) / (count - 1)};
-    if (const double offset = number(pattern, "Offset", 0); offset > 0) steps.push_back(offset);
-    const double sign = number(pattern, "Reversed", 0) != 0 ? -1 : 1;
-    std::vector<Placements> candidates;
-    for (const gp_Ax1& axis : axes_of(pattern, "Direction", document))
-        for (const double step : steps)
+/// Every occurrence of `outer` of every occurrence of `inner`. The numbers of `outer` count in steps of `stride`.
+Occurrences product(const Occurrences& outer, const Occurrences& inner, std::int64_t stride) {
+    Occurrences all;
+    for (const Occurrence& further : outer)
+        for (const Occurrence& first : inner)
+            all.push_back({further.placement * first.placement, further.number * stride + first.number});
+    return all;
+}
+
+/// Readings of how far each of `count` occurrences is along, or round, the likeliest first. `suffix`: "2" for the
+/// second direction; `even`: from one to the next by the whole length or angle.
+std::vector<std::vector<double>> distances_of(const RawRecord& pattern, const std::string& suffix, int count,
+                                              double even) {
+    const double offset = number(pattern, "Offset" + suffix, 0);
+    const auto all = [&](auto gap_before) {
+        std::vector<double> distances(std::size_t(count), 0);
+        for (int i = 1; i < count; ++i) distances[std::size_t(i)] = distances[std::size_t(i) - 1] + gap_before(i - 1);
+        return distances;
+    };
+    const auto mode = pattern.texts.find("Mode" + suffix);
+    if (mode != pattern.texts.end() && mode->second == "Spacing") {
+        const auto entry = [&](const std::string& list, int i) {
+            return number(pattern, list + suffix + "[" + std::to_string(i) + "]", as_elsewhere);
+        };
+        int repeated = 0;
+        while (entry("SpacingPattern", repeated) != as_elsewhere) ++repeated;
+        return {all([&](int gap) {
+            if (const double own = entry("Spacings", gap); own != as_elsewhere) return own;
+            return repeated > 1 ? entry("SpacingPattern", gap % repeated) : offset;
+        })};
+    }
+    std::vector<std::vector<double>> readings{all([&](int) { return even; })};
+    if (offset > 0) readings.push_back(all([&](int) { return offset; }));
+    return readings;
+}
+
+/// Readings of one of a linear pattern's directions; just the first occurrence where it has none.
+std::vector<Occurrences> along(const RawRecord& pattern, const std::string& suffix, const DocumentView& document) {
+    const int count = static_cast<int>(number(pattern, "Occurrences" + suffix, 1));
+    if (count < 2) return {Occurrences(1)};
+    const double sign = number(pattern, "Reversed" + suffix, 0) != 0 ? -1 : 1;
+    std::vector<Occurrences> candidates;
+    for (const gp_Ax1& axis : axes_of(pattern, ("Direction" + suffix).c_str(), document))
+        for (const auto& distances :
+             distances_of(pattern, suffix, count, number(pattern, "Length" + suffix, 0) / (count - 1)))
             for (const double direction : {sign, -sign}) {
-                Placements placements(count);
-                for (int i = 1; i < count; ++i)
-                    placements[i].SetTranslation(gp_Vec(axis.Direction()) * (direction * step * i));
-                candidates.push_back(std::move(placements));
+                Occurrences occurrences(static_cast<std::size_t>(count));
+                for (int i = 1; i < count; ++i) {
+                    Occurrence& one = occurrences[std::size_t(i)];
+                    one.placement.SetTranslation(gp_Vec(axis.Direction()) * (direction * distances[std::size_t(i)]));
+                    one.number = i;
+                }
+                candidates.push_back(std::move(occurrences));
             }
     return candidates;
 }
 
-std::vector<Placements> polar(const RawRecord& pattern, const DocumentView& document) {
+std::vector<Occurrences> linear(const RawRecord& pattern, const DocumentView& document) {
+    std::vector<Occurrences> candidates;
+    for (const Occurrences& first : along(pattern, "", document))
+        for (const Occurrences& second : along(pattern, "2", document))
+            if (candidates.size() < most_candidates) candidates.push_back(product(second, first, most_in_a_row));
+    return candidates;
+}
+
+std::vector<Occurrences> polar(const RawRecord& pattern, const DocumentView& document) {
     const int count = static_cast<int>(number(pattern, "Occurrences", 1));
-    if (count < 2) return {Placements(1)};
+    if (count < 2) return {Occurrences(1)};
     const double angle = number(pattern, "Angle", 360);
-    std::vector<double> steps{(std::abs(angle - 360) < 1e-6 ? angle / count : angle / (count - 1)) * degree};
-    if (const double offset = number(pattern, "Offset", 0); offset > 0) steps.push_back(offset * degree);
+    const double even = std::abs(angle - 360) < 1e-6 ? angle / count : angle / (count - 1);
     const double sign = number(pattern, "Reversed", 0) != 0 ? -1 : 1;
-    std::vector<Placements> candidates;
+    std::vector<Occurrences> candidates;
     for (const gp_Ax1& axis : axes_of(pattern, "Axis", document))
-        for (const double step : steps)
+        for (const auto& distances : distances_of(pattern, "", count, even))
             for (const double direction : {sign, -sign}) {
-                Placements placements(count);
-                for (int i = 1; i < count; ++i) placements[i].SetRotation(axis, direction * step * i);
-                candidates.push_back(std::move(placements));
+                Occurrences occurrences(static_cast<std::size_t>(count));
+                for (int i = 1; i < count; ++i) {
+                    Occurrence& one = occurrences[std::size_t(i)];
+                    one.placement.SetRotation(axis, direction * distances[std::size_t(i)] * degree);
+                    one.number = i;
+                }
+                candidates.push_back(std::move(occurrences));
             }
     return candidates;
 }
 
-std::vector<Placements> mirrored(const RawRecord& pattern, const DocumentView& document) {
-    std::vector<Placements> candidates;
+std::vector<Occurrences> mirrored(const RawRecord& pattern, const DocumentView& document) {
+    std::vector<Occurrences> candidates;
     const auto links = DocumentView::links_of(pattern, "MirrorPlane");
     if (links.empty()) return candidates;
     for (const gp_Ax1& axis : axes_of(as_normal(links.front()), document)) {
-        Placements placements(2);
-        placements[1].SetMirror(gp_Ax2(axis.Location(), axis.Direction()));
-        candidates.push_back(std::move(placements));
+        Occurrences occurrences(2);
+        occurrences[1].placement.SetMirror(gp_Ax2(axis.Location(), axis.Direction()));
+        occurrences[1].number = 1;
+        candidates.push_back(std::move(occurrences));
     }
     return candidates;
 }
 
-/// Every occurrence of `outer` of every occurrence of `inner`. The numbers of `outer` count in steps of `stride`.
-Occurrences product(const Placements& outer, const Occurrences& inner, std::int64_t stride) {
-    Occurrences all;
-    for (std::size_t i = 0; i < outer.size(); ++i)
-        for (const Occurrence& first : inner)
-            all.push_back({outer[i] * first.placement, std::int64_t(i) * stride + first.number});
-    return all;
-}
-
 /// Of a pattern that is one transformation.
-std::vector<Placements> candidate_placements(const RawRecord& pattern, const DocumentView& document) {
+std::vector<Occurrences> of_one_transformation(const RawRecord& pattern, const DocumentView& document) {
     if (pattern.type == "PartDesign::LinearPattern") return linear(pattern, document);
     if (pattern.type == "PartDesign::PolarPattern") return polar(pattern, document);
     if (pattern.type == "PartDesign::Mirrored") return mirrored(pattern, document);
@@ -169,7 +214,7 @@ std::vector<Occurrences> combined(const RawRecord& pattern, const DocumentView& 
         if (index < 0) return {};
         std::vector<Occurrences> next;
         for (const Occurrences& so_far : candidates)
-            for (const Placements& further : candidate_placements(document.records()[index], document))
+            for (const Occurrences& further : of_one_transformation(document.records()[index], document))
                 if (next.size() < most_candidates) next.push_back(product(further, so_far, stride));
         candidates = std::move(next);
         stride = stride < largest_stride ? stride * most_occurrences : 1;
@@ -187,10 +232,7 @@ TopoDS_Shape placed(const TopoDS_Shape& shape, const gp_Trsf& placement) {
 
 std::vector<Occurrences> candidate_occurrences(const RawRecord& pattern, const DocumentView& document) {
     if (pattern.type == "PartDesign::MultiTransform") return combined(pattern, document);
-    std::vector<Occurrences> candidates;
-    for (const Placements& placements : candidate_placements(pattern, document))
-        candidates.push_back(product(placements, Occurrences(1), 1));
-    return candidates;
+    return of_one_transformation(pattern, document);
 }
 
 }  // namespace featuremesh

@@ -12,8 +12,6 @@
 
 namespace featuremesh {
 
-using Placements = std::vector<gp_Trsf>;
-
 struct Occurrence {
     gp_Trsf placement;
     std::int64_t number = 0;  ///< stays where one of several transformations gets more occurrences

@@ -520,41 +520,6 @@ TEST_CASE("several originals repeated by a row and its mirror image") {
     CHECK(named(tree, "Row").volumes.empty());
 }
 
-TEST_CASE("an instance of a row of rows has the same number when the rows become longer") {
-    const TopoDS_Shape pad = box(0, 0, 0, 60, 30, 5), hole = cylinder({5, 5, -1}, {0, 0, 1}, 2, 7),
-                       first = cut(pad, hole);
-    const auto number_at = [&](int in_a_row, const Vec3& place) {
-        TopoDS_Shape after = first;
-        for (const double y : {5.0, 15.0})
-            for (int i = 0; i < in_a_row; ++i) after = cut(after, cylinder({5.0 + 10 * i, y, -1}, {0, 0, 1}, 2, 7));
-        DocumentMaker maker;
-        maker.add("Sketch", "Sketcher::SketchObject");
-        maker.add("Pad", "PartDesign::Pad", {}, pad, pad);
-        maker.add("Hole", "PartDesign::Pocket", {{"BaseFeature", "Pad", ""}}, first, hole);
-        maker.add("Row", "PartDesign::LinearPattern", {{"Direction", "Sketch", "H_Axis"}}).numbers = {
-            {"Length", 10.0 * (in_a_row - 1)}, {"Occurrences", double(in_a_row)}};
-        maker.add("Rows", "PartDesign::LinearPattern", {{"Direction", "Sketch", "V_Axis"}}).numbers = {
-            {"Length", 10}, {"Occurrences", 2}};
-        maker.add("Multi", "PartDesign::MultiTransform",
-                  {{"BaseFeature", "Hole", ""},
-                   {"Originals", "Hole", ""},
-                   {"Transformations", "Row", ""},
-                   {"Transformations", "Rows", ""}},
-                  after);
-        const FeatureTree tree = interpret(maker.done());
-        const Feature& multi = named(tree, "Multi");
-        REQUIRE(multi.volumes.size() == 2 * std::size_t(in_a_row) - 1);
-        const auto found = std::find_if(multi.volumes.begin(), multi.volumes.end(), [&](const FeatureVolume& volume) {
-            return distance(volume.motion.apply({5, 5, 0}), place) < 1e-9;
-        });
-        REQUIRE(found != multi.volumes.end());
-        return found->instance;
-    };
-    for (const Vec3& place : {Vec3{25, 5, 0}, Vec3{5, 15, 0}, Vec3{25, 15, 0}})
-        CHECK(number_at(3, place) == number_at(4, place));
-    CHECK(number_at(4, {35, 5, 0}) != number_at(4, {5, 15, 0}));
-}
-
 TEST_CASE("a body that begins with another object's solid") {
     const TopoDS_Shape block = box(0, 0, 0, 20, 10, 5), tool = box(3, 2, 2, 4, 3, 5);
     DocumentMaker maker;

@@ -128,7 +128,7 @@ def _use_of(kind):
     if kind == "App::PropertyEnumeration":
         return "text"
     if kind.endswith("List"):
-        return "constraints" if kind == "Sketcher::PropertyConstraintList" else "nothing"
+        return {"Sketcher::PropertyConstraintList": "constraints", "App::PropertyFloatList": "spacings"}.get(kind, "nothing")
     if kind.startswith(_NUMBER_TYPES):
         return "number"
     if kind in _VECTOR_TYPES:
@@ -200,8 +200,14 @@ def _add_constraints(numbers, measures, _, constraints):
             _add(numbers, measures, name, value, "length")
 
 
+def _add_spacings(numbers, _, name, values):
+    """Of a pattern (FreeCAD 1.1); -1 is a spacing that is not given by itself. Other lists may be long, and say nothing."""
+    if name.startswith("Spacing"):
+        numbers.update(("%s[%d]" % (name, i), value) for i, value in enumerate(values) if value != -1)
+
+
 def _add(numbers, measures, name, value, measure):
     numbers[name], measures[name] = value, measure
 
 
-_ADD = {"constraints": _add_constraints, "vector": _add_vector, "position": _add_position, "placement": _add_placement, "fillets": _add_fillets}
+_ADD = {"constraints": _add_constraints, "spacings": _add_spacings, "vector": _add_vector, "position": _add_position, "placement": _add_placement, "fillets": _add_fillets}
