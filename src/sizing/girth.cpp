@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "brep/face_trim.h"
@@ -105,25 +106,27 @@ double length_of(const TopoDS_Edge& edge) {
 
 struct Lap {
     double shorter, longer;  ///< once round, along the one or the other ends of the faces
-    Vec3 center;
+    double height;           ///< between these ends, by the shortest side from one face to the next
 };
 
 /// From a side of a face to the opposite one and on, through curved faces of four edges, until the first face is there
-/// again.
+/// again; none where material is not within all of them, or they are straight round it.
 std::optional<Lap> lap_from(const Brep& brep, FaceId first, EdgeId start) {
     constexpr std::size_t most_faces = 64;
-    double left = 0, right = 0;
+    constexpr double most_straight = 0.99;  // chords over arcs; what has flat sides needs no more elements round it
+    double left = 0, right = 0, chords = 0, height = std::numeric_limits<double>::infinity();
     Vec3 middles;
-    std::size_t count = 0;
+    std::vector<FaceId> passed;
     FaceId face = first;
     EdgeId side = start;
     VertexId at_left = brep.ends_of(start)[0];
     do {
         const auto edges = brep.edges_of(face);
         const VertexId at_right = other_end(brep, side, at_left);
-        if (++count > most_faces || edges.size() != 4 || at_left == at_right ||
+        if (passed.size() == most_faces || edges.size() != 4 || at_left == at_right ||
             BRepAdaptor_Surface(brep.face(face), false).GetType() == GeomAbs_Plane)
             return {};
+        passed.push_back(face);
         EdgeId opposite, along_left, along_right;
         for (const EdgeId edge : edges) {
             if (edge == side) continue;
@@ -132,16 +135,26 @@ std::optional<Lap> lap_from(const Brep& brep, FaceId first, EdgeId start) {
         }
         if (!opposite.is_valid() || !along_left.is_valid() || !along_right.is_valid()) return {};
         left += length_of(brep.edge(along_left)), right += length_of(brep.edge(along_right));
+        height = std::min(height, length_of(brep.edge(opposite)));
         const BRepAdaptor_Curve curve(brep.edge(opposite));
         middles = middles + to_vec3(curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter())));
-        at_left = other_end(brep, along_left, at_left);
+        const VertexId next_left = other_end(brep, along_left, at_left);
+        chords += distance(brep.point_of(at_left), brep.point_of(next_left));
+        at_left = next_left;
         side = opposite;
         const auto faces = brep.faces_of(side);
         if (faces.size() != 2) return {};
         face = faces[faces[0] == face ? 1 : 0];
     } while (face != first);
-    if (side != start) return {};
-    return Lap{std::min(left, right), std::max(left, right), middles / double(count)};
+    const Vec3 center = middles / double(passed.size());
+    const auto is_round = [&](FaceId f) {
+        const BRepAdaptor_Surface surface(brep.face(f));
+        return is_round_material(brep, f, surface, 0.5 * (surface.FirstUParameter() + surface.LastUParameter()),
+                                 0.5 * (surface.FirstVParameter() + surface.LastVParameter()), center);
+    };
+    if (side != start || chords > most_straight * left || !std::all_of(passed.begin(), passed.end(), is_round))
+        return {};
+    return Lap{std::min(left, right), std::max(left, right), height};
 }
 
 double asked_on(FaceId face, const SizingOptions& options) {
@@ -183,11 +196,13 @@ std::optional<Girth> Girth::of(const Brep& brep, FaceId face, const BRepAdaptor_
     BRepTools::UVBounds(brep.face(face), u[0], u[1], v[0], v[1]);
     const double mu = at_share(u, 0.5), mv = at_share(v, 0.5);
     if (!closes && (type != GeomAbs_Cylinder || !is_half_of_rod(brep, face, surface))) {
+        constexpr double least_height = 2;  // girths; rounded rims of what is wider are rings, too
         std::optional<Lap> least;
         for (const EdgeId edge : brep.edges_of(face))
-            if (const auto lap = lap_from(brep, face, edge); lap && (!least || lap->longer < least->longer))
+            if (const auto lap = lap_from(brep, face, edge);
+                lap && lap->height >= least_height * lap->longer && (!least || lap->longer < least->longer))
                 least = lap;
-        if (!least || !is_round_material(brep, face, surface, mu, mv, least->center)) return {};
+        if (!least) return {};
         return Girth(std::max(at_tip * least->longer, least->shorter));
     }
     if (type == GeomAbs_Cylinder) {

@@ -21,7 +21,7 @@ namespace featuremesh {
 class Girth {
   public:
     /// None where the face does not close round material, alone, with one that goes on from it on the same cylinder, or
-    /// with others in a ring, all curved and of four edges.
+    /// with others in a ring, all curved, of four edges and at least twice as long as it is round them.
     static std::optional<Girth> of(const Brep& brep, FaceId face, const BRepAdaptor_Surface& surface);
 
     /// At a place of the face, mm; at a tip a quarter of what it is where the face is widest.

@@ -11,10 +11,10 @@ import ObjectsFem
 import Part
 from analyses import quantity
 from BOPTools import SplitFeatures
-from freecad.featuremesh import api, assembled, mesh_object, resolving, solve_guard, statics_model
+from freecad.featuremesh import api, assembled, mesh_object, resolving, solve_guard, statics_model, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
-from parts import groups_of, new_document, placement, plate_with_hole, rectangle
+from parts import circle, groups_of, new_document, placement, plate_with_hole, rectangle
 from statics_cases import STEEL, faces_at
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples")
@@ -32,6 +32,59 @@ def open_example(case, name):
 def names_of(obj):
     """The (object name, sub-element) pairs of its references."""
     return [(target.Name, sub) for target, sub in resolving.pairs_of(obj)]
+
+
+@unittest.skipUnless(versions.version() >= (1, 1), "patterns have one direction")
+class PatternInTwoDirections(unittest.TestCase):
+    """A plate with two rows of three holes, a load in one of them."""
+
+    def setUp(self):
+        self.document = new_document()
+        self.body = self.document.addObject("PartDesign::Body", "Body")
+        outline, hole = (self.body.newObject("Sketcher::SketchObject", name) for name in ("Outline", "HoleSketch"))
+        rectangle(outline, 0, 0, 100, 60)
+        circle(hole, 10, 10, 3)
+        pad = self.body.newObject("PartDesign::Pad", "Pad")
+        pad.Profile, pad.Length = outline, 6
+        self.pocket = self.body.newObject("PartDesign::Pocket", "Pocket")
+        self.pocket.Profile, self.pocket.Length, self.pocket.Reversed = hole, 6, True
+        self.rows = self.body.newObject("PartDesign::LinearPattern", "Rows")
+        self.rows.Originals, self.rows.Direction, self.rows.Direction2 = [self.pocket], (hole, ["H_Axis"]), (hole, ["V_Axis"])
+        self.rows.Occurrences, self.rows.Length, self.rows.Occurrences2, self.rows.Length2 = 3, 40, 2, 30
+        self.body.Tip = self.rows
+        self.document.recompute()
+        analysis = ObjectsFem.makeAnalysis(self.document, "Analysis")
+        self.pressure = ObjectsFem.makeConstraintPressure(self.document, "Pressure")
+        analysis.addObject(self.pressure)
+        self.pressure.References = [(self.body, self.hole_at(50, 40))]
+        self.mesh = api.add_mesh(self.body, 8, order=1)
+        self.document.recompute()
+
+    def centre(self, name):
+        surface = self.body.Shape.getElement(name).Surface
+        return (round(surface.Center.x, 1), round(surface.Center.y, 1)) if surface.TypeId == "Part::GeomCylinder" else None
+
+    def hole_at(self, x, y):
+        return next("Face%d" % i for i in range(1, len(self.body.Shape.Faces) + 1) if self.centre("Face%d" % i) == (x, y))
+
+    def loaded(self):
+        self.document.recompute()
+        return [self.centre(sub) for _, sub in names_of(self.pressure)]
+
+    def test_a_load_stays_in_its_hole(self):
+        self.assertEqual(self.loaded(), [(50, 40)])
+        self.rows.Occurrences = 4   # the rows are as long as before
+        self.assertEqual(self.loaded(), [(36.7, 40)])
+        self.rows.Occurrences = 3
+        self.assertEqual(self.loaded(), [(50, 40)])
+        self.rows.Mode, self.rows.Spacings = "Spacing", [12.0, 25.0]
+        self.assertEqual(self.loaded(), [(47, 40)])
+        self.rows.Occurrences = 4
+        self.assertEqual(self.loaded(), [(47, 40)])
+        self.pocket.Suppressed = True
+        self.assertEqual(self.loaded(), [(47, 40)])
+        self.pocket.Suppressed = False
+        self.assertEqual(self.loaded(), [(47, 40)])
 
 
 class FragmentsOfBoxes(unittest.TestCase):
