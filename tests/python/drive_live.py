@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drives the live result in FreeCAD's real window: the command, solving beside the window, edits and Cancel on the way, what is seen. Run by test_window.py; see drive_window.py."""
+"""Drives the live result in FreeCAD's real window: the command, solving beside the window, edits and Cancel on the way, what is seen. Run by test_window.py."""
 import contextlib
 import os
 import sys
