@@ -99,7 +99,7 @@ def use_buttons(document, body):
     click(panel("StudyPanel").run_button)
     wait_for(lambda: len(done_of(document.Study)) == 5, 300)
     panel("StudyPanel").cases.setValue(2)
-    wait_for(lambda: panel("StudyPanel").go_on_button.text() == "Add cases")
+    wait_for(lambda: panel("StudyPanel").go_on_button.text() == "Add cases" and panel("StudyPanel").go_on_button.isVisible())
     click(panel("StudyPanel").go_on_button)
     wait_for(lambda: len(done_of(document.Study)) == 7, 300)
     close_with("Close")
