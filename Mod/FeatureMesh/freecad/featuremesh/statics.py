@@ -114,9 +114,12 @@ def refuse_free_motions(statics):
     if motions is None:
         raise NotUnderstood(said("the mesh falls into more pieces than the live solver looks at"))
     how = statics_supports.in_words(motions)
-    if how:
-        words = said(_CAN_MOVE, how=how) if len(motions) == 1 else said(_PIECES_CAN_MOVE, how=how, solids=statics_supports.solids_as_free(statics.arrays, motions))
-        raise CanMove(words, statics_supports.moved(statics.arrays, motions, centre, scale))
+    if not how:
+        return
+    moved = statics_supports.moved(statics.arrays, motions, centre, scale)
+    if len(motions) == 1:
+        raise CanMove(said(_CAN_MOVE, how=how), moved)
+    raise CanMove(said(_PIECES_CAN_MOVE, how=how, solids=statics_supports.solids_as_free(statics.arrays, motions)), moved)
 
 
 def responses(statics, fields):
