@@ -287,6 +287,7 @@ class Keeper {
     /// On edges that were there without them: between the pieces of one, or beside it and merged with it since.
     std::vector<VertexId> vertices_new_on_edges(const MergedEntities& merged) const {
         std::vector<VertexId> found;
+        const std::vector<std::vector<VertexId>> old_vertices = old_vertices_on_edges();
         for (const CarriedRegion& region : nodes_.regions()) {
             const auto place_of = [&](VertexId old) {
                 const VertexId now = old.is_valid() ? region.new_vertex_of[old.index()] : VertexId();
@@ -302,7 +303,7 @@ class Keeper {
                 }
                 if (on.empty()) continue;
                 std::vector<VertexId> was_on;
-                for (const VertexId old : old_vertices_on(EdgeId(e))) was_on.push_back(place_of(old));
+                for (const VertexId old : old_vertices[e]) was_on.push_back(place_of(old));
                 for (const VertexId v : on)
                     if (std::find(was_on.begin(), was_on.end(), v) == was_on.end()) found.push_back(v);
             }
@@ -310,15 +311,16 @@ class Keeper {
         return found;
     }
 
-    /// Its ends, and others whose nodes it had.
-    std::vector<VertexId> old_vertices_on(EdgeId edge) const {
+    /// By edge: its ends, and others whose nodes it had.
+    std::vector<std::vector<VertexId>> old_vertices_on_edges() const {
         const Mesh& old = in_.old_mesh;
-        std::vector<VertexId> on;
-        for (const VertexId end : in_.old_brep.ends_of(edge)) on.push_back(end);
+        std::vector<std::vector<VertexId>> on(in_.old_brep.edge_count());
+        for (std::size_t e = 0; e < on.size(); ++e)
+            for (const VertexId end : in_.old_brep.ends_of(EdgeId(e))) on[e].push_back(end);
         for (std::size_t s = 0; s < old.segments.size(); ++s)
-            if (old.segment_edges[s] == edge)
-                for (const NodeId n : old.segments[s])
-                    if (old.entities[n.index()].dim == 0) on.emplace_back(old.entities[n.index()].index);
+            for (const NodeId n : old.segments[s])
+                if (old.entities[n.index()].dim == 0)
+                    on[old.segment_edges[s].index()].emplace_back(old.entities[n.index()].index);
         return on;
     }
 
