@@ -104,57 +104,71 @@ double length_of(const TopoDS_Edge& edge) {
     return GCPnts_AbscissaPoint::Length(curve);
 }
 
-struct Lap {
-    double shorter, longer;  ///< once round, along the one or the other ends of the faces
-    double height;           ///< between these ends, by the shortest side from one face to the next
+/// A face on the way round, between the side by which it is entered and the opposite one.
+struct Strip {
+    FaceId face;
+    EdgeId left, right, opposite;
+    VertexId at_left, next_left;  ///< ends of the left edge
 };
 
 /// From a side of a face to the opposite one and on, through curved faces of four edges, until the first face is there
-/// again; none where material is not within all of them, or they are straight round it.
-std::optional<Lap> lap_from(const Brep& brep, FaceId first, EdgeId start) {
-    constexpr std::size_t most_faces = 64;
-    constexpr double most_straight = 0.99;  // chords over arcs; what has flat sides needs no more elements round it
-    double left = 0, right = 0, chords = 0, height = std::numeric_limits<double>::infinity();
-    Vec3 middles;
-    std::vector<FaceId> passed;
-    FaceId face = first;
+/// again; none where it is not.
+std::vector<Strip> strips_from(const Brep& brep, FaceId first, EdgeId start) {
+    constexpr std::size_t most = 16;
+    std::vector<Strip> strips;
     EdgeId side = start;
     VertexId at_left = brep.ends_of(start)[0];
-    do {
+    for (FaceId face = first; strips.empty() || face != first;) {
         const auto edges = brep.edges_of(face);
         const VertexId at_right = other_end(brep, side, at_left);
-        if (passed.size() == most_faces || edges.size() != 4 || at_left == at_right ||
+        if (strips.size() == most || edges.size() != 4 || at_left == at_right ||
             BRepAdaptor_Surface(brep.face(face), false).GetType() == GeomAbs_Plane)
             return {};
-        passed.push_back(face);
-        EdgeId opposite, along_left, along_right;
+        Strip strip{face, {}, {}, {}, at_left, {}};
         for (const EdgeId edge : edges) {
             if (edge == side) continue;
             const bool is_left = has_end(brep, edge, at_left), is_right = has_end(brep, edge, at_right);
-            (is_left ? along_left : is_right ? along_right : opposite) = edge;
+            (is_left ? strip.left : is_right ? strip.right : strip.opposite) = edge;
         }
-        if (!opposite.is_valid() || !along_left.is_valid() || !along_right.is_valid()) return {};
-        left += length_of(brep.edge(along_left)), right += length_of(brep.edge(along_right));
-        height = std::min(height, length_of(brep.edge(opposite)));
-        const BRepAdaptor_Curve curve(brep.edge(opposite));
-        middles = middles + to_vec3(curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter())));
-        const VertexId next_left = other_end(brep, along_left, at_left);
-        chords += distance(brep.point_of(at_left), brep.point_of(next_left));
-        at_left = next_left;
-        side = opposite;
+        if (!strip.opposite.is_valid() || !strip.left.is_valid() || !strip.right.is_valid()) return {};
+        at_left = strip.next_left = other_end(brep, strip.left, at_left);
+        side = strip.opposite;
+        strips.push_back(strip);
         const auto faces = brep.faces_of(side);
         if (faces.size() != 2) return {};
         face = faces[faces[0] == face ? 1 : 0];
-    } while (face != first);
-    const Vec3 center = middles / double(passed.size());
-    const auto is_round = [&](FaceId f) {
-        const BRepAdaptor_Surface surface(brep.face(f));
-        return is_round_material(brep, f, surface, 0.5 * (surface.FirstUParameter() + surface.LastUParameter()),
-                                 0.5 * (surface.FirstVParameter() + surface.LastVParameter()), center);
-    };
-    if (side != start || chords > most_straight * left || !std::all_of(passed.begin(), passed.end(), is_round))
-        return {};
-    return Lap{std::min(left, right), std::max(left, right), height};
+    }
+    return side == start ? strips : std::vector<Strip>();
+}
+
+struct Lap {
+    double shorter, longer;  ///< once round, along the one or the other ends of the faces
+};
+
+/// Once round such faces; none where they are no long round rod: rims that are rounded are rings, too, and what is
+/// straight round it needs no more elements.
+std::optional<Lap> lap_of(const Brep& brep, const std::vector<Strip>& strips) {
+    constexpr double least_height = 2;      // girths
+    constexpr double most_straight = 0.99;  // chords over arcs
+    if (strips.empty()) return {};
+    double left = 0, right = 0, chords = 0, height = std::numeric_limits<double>::infinity();
+    Vec3 middles;
+    for (const Strip& strip : strips) {
+        left += length_of(brep.edge(strip.left)), right += length_of(brep.edge(strip.right));
+        chords += distance(brep.point_of(strip.at_left), brep.point_of(strip.next_left));
+        height = std::min(height, length_of(brep.edge(strip.opposite)));
+        const BRepAdaptor_Curve curve(brep.edge(strip.opposite));
+        middles = middles + to_vec3(curve.Value(0.5 * (curve.FirstParameter() + curve.LastParameter())));
+    }
+    if (chords > most_straight * left || height < least_height * std::max(left, right)) return {};
+    const Vec3 center = middles / double(strips.size());
+    for (const Strip& strip : strips) {
+        const BRepAdaptor_Surface surface(brep.face(strip.face));
+        const double u = 0.5 * (surface.FirstUParameter() + surface.LastUParameter()),
+                     v = 0.5 * (surface.FirstVParameter() + surface.LastVParameter());
+        if (!is_round_material(brep, strip.face, surface, u, v, center)) return {};
+    }
+    return Lap{std::min(left, right), std::max(left, right)};
 }
 
 double asked_on(FaceId face, const SizingOptions& options) {
@@ -196,11 +210,10 @@ std::optional<Girth> Girth::of(const Brep& brep, FaceId face, const BRepAdaptor_
     BRepTools::UVBounds(brep.face(face), u[0], u[1], v[0], v[1]);
     const double mu = at_share(u, 0.5), mv = at_share(v, 0.5);
     if (!closes && (type != GeomAbs_Cylinder || !is_half_of_rod(brep, face, surface))) {
-        constexpr double least_height = 2;  // girths; rounded rims of what is wider are rings, too
         std::optional<Lap> least;
         for (const EdgeId edge : brep.edges_of(face))
-            if (const auto lap = lap_from(brep, face, edge);
-                lap && lap->height >= least_height * lap->longer && (!least || lap->longer < least->longer))
+            if (const auto lap = lap_of(brep, strips_from(brep, face, edge));
+                lap && (!least || lap->longer < least->longer))
                 least = lap;
         if (!least) return {};
         return Girth(std::max(at_tip * least->longer, least->shorter));
