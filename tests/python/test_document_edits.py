@@ -300,7 +300,7 @@ class Edits(unittest.TestCase):
         with self.assertRaisesRegex(UserError, "cannot read the edit 'Length=3'"):
             api.edit(self.document, "Length=3")
 
-    @unittest.skipUnless(versions.version() >= (1, 0), "FreeCAD finds no edges by their names")
+    @unittest.skipUnless(versions.version() >= (1, 1), "FreeCAD finds no edges by their names; 1.0 loses one by the length alone")
     def test_a_fillet_keeps_an_edge_that_two_dimensions_move(self):
         document = FreeCAD.openDocument(os.path.join(EXAMPLES, "bracket.FCStd"))
         self.addCleanup(FreeCAD.closeDocument, document.Name)
