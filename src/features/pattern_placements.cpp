@@ -131,7 +131,8 @@ std::vector<std::vector<double>> distances_of(const RawRecord& pattern, const st
         })};
     }
     std::vector<std::vector<double>> readings{all([&](int) { return even; })};
-    if (offset > 0) readings.push_back(all([&](int) { return offset; }));
+    const bool is_sure = mode != pattern.texts.end() && mode->second == "Extent";  // FreeCAD 1.1
+    if (offset > 0 && !is_sure) readings.push_back(all([&](int) { return offset; }));
     return readings;
 }
 

@@ -2,6 +2,7 @@
 // Instances of patterns, by their numbers.
 #include <TopoDS_Shape.hxx>
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,15 @@ using namespace featuremesh::test;
 
 namespace {
 const Feature& named(const FeatureTree& tree, const std::string& name) { return tree[tree.find(name).value()]; }
+
+/// The number of the instance whose first hole, at (5, 5, 0), went to that place.
+std::int64_t instance_at(const Feature& pattern, const Vec3& place) {
+    const auto found = std::find_if(pattern.volumes.begin(), pattern.volumes.end(), [&](const FeatureVolume& volume) {
+        return distance(volume.motion.apply({5, 5, 0}), place) < 1e-9;
+    });
+    REQUIRE(found != pattern.volumes.end());
+    return found->instance;
+}
 }  // namespace
 
 TEST_CASE("an instance of a row of rows has the same number when the rows become longer") {
@@ -40,11 +50,7 @@ TEST_CASE("an instance of a row of rows has the same number when the rows become
         const FeatureTree tree = interpret(maker.done());
         const Feature& multi = named(tree, "Multi");
         REQUIRE(multi.volumes.size() == 2 * std::size_t(in_a_row) - 1);
-        const auto found = std::find_if(multi.volumes.begin(), multi.volumes.end(), [&](const FeatureVolume& volume) {
-            return distance(volume.motion.apply({5, 5, 0}), place) < 1e-9;
-        });
-        REQUIRE(found != multi.volumes.end());
-        return found->instance;
+        return instance_at(multi, place);
     };
     for (const Vec3& place : {Vec3{25, 5, 0}, Vec3{5, 15, 0}, Vec3{25, 15, 0}})
         CHECK(number_at(3, place) == number_at(4, place));
@@ -87,11 +93,7 @@ TEST_CASE(
         const Feature& pattern = named(tree, "Rows");
         CHECK(pattern.volume_source == "instances");
         REQUIRE(pattern.volumes.size() == 2 * std::size_t(in_a_row) - 1);
-        const auto found = std::find_if(pattern.volumes.begin(), pattern.volumes.end(), [&](const auto& volume) {
-            return distance(volume.motion.apply({5, 5, 0}), place) < 1e-9;
-        });
-        REQUIRE(found != pattern.volumes.end());
-        return found->instance;
+        return instance_at(pattern, place);
     };
     for (const Vec3& place : {Vec3{37, 5, 0}, Vec3{5, 22, 0}, Vec3{37, 22, 0}})
         CHECK(number_at(3, false, place) == number_at(4, false, place));
