@@ -68,7 +68,7 @@ def add_mesh(subparsers):
     mesh.add_argument("--dimension", choices=("solids", "faces", "edges"), help="what is meshed: solids with tetrahedra, faces with triangles (shells), edges "
                       "with segments (beams); default: solids, else faces, else edges, as the part has them, or as the document's mesh has it")
     mesh.add_argument("--ignore-below", type=ignored_length, metavar="LENGTH", help="edges, steps and strips of faces smaller than this get no elements of their own: mm, off, "
-                      "or auto, a thousandth of the size unless the part cannot be meshed without them (default: auto, or as the document's mesh has it)")
+                      "or auto, a two-hundredth of the size, or less where the part cannot be meshed so (default: auto, or as the document's mesh has it)")
     add_run(mesh)
 
 

@@ -458,13 +458,18 @@ EdgeChain EdgeChains::stretch_of(EdgeId owner, const std::array<NodeId, 2>& ends
                                  const std::array<double, 2>& range, const Mesh& mesh) const {
     const std::vector<NodeId>& nodes = chains_[owner.index()].nodes;
     const auto place = [&](NodeId n) { return std::find(nodes.begin(), nodes.end(), n); };
-    const auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
+    auto [first, last] = std::minmax({place(ends[0]), place(ends[1])});
     if (last == nodes.end()) throw MeshError(say<Code::edge_ends_elsewhere>(edge, owner));
+    const bool is_closed = ends[0] == ends[1];
+    if (is_closed) last = nodes.end() - 1;
     EdgeChain chain;
     chain.nodes.assign(first, last + 1);
-    if (place(ends[1]) < place(ends[0])) std::reverse(chain.nodes.begin(), chain.nodes.end());
     chain.is_kept.assign(chain.nodes.size() - 1, 1);
     for (const NodeId n : chain.nodes) chain.t.push_back(projector_.nearest(edge, mesh.point(n)).t);
+    if (is_closed ? chain.t[1] > chain.t[chain.t.size() - 2] : place(ends[1]) < place(ends[0])) {
+        std::reverse(chain.nodes.begin(), chain.nodes.end());
+        std::reverse(chain.t.begin(), chain.t.end());
+    }
     chain.t.front() = range[0], chain.t.back() = range[1];
     if (!std::is_sorted(chain.t.begin(), chain.t.end(), std::less_equal<>()))
         throw MeshError(say<Code::edge_runs_otherwise>(edge, owner));
@@ -502,7 +507,9 @@ EdgeChains::Piece EdgeChains::owner_of(const Piece& piece) const {
     const std::vector<NodeId>& nodes = chains_[piece.edge.index()].nodes;
     const std::vector<NodeId>& all = chains_[owner.index()].nodes;
     const auto place = [&](NodeId n) { return std::find(all.begin(), all.end(), n) - all.begin(); };
-    return owner_of({owner, std::size_t(std::min(place(nodes[piece.index]), place(nodes[piece.index + 1])))});
+    const auto [low, high] = std::minmax({place(nodes[piece.index]), place(nodes[piece.index + 1])});
+    return owner_of(
+        {owner, std::size_t(high - low > 1 ? high : low)});  // the last one of a closed edge ends at its first
 }
 
 std::vector<EdgeId> EdgeChains::sharers_of(EdgeId edge) const {

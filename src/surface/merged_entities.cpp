@@ -354,6 +354,7 @@ std::array<double, 2> MergedEntities::shares_between(const Brep& brep, EdgeId ed
                                                      const std::array<VertexId, 2>& ends) const {
     const auto [first, last] = range_of(BRepAdaptor_Curve(brep.edge(edge)));
     const std::vector<VertexId> sequence = sequence_of(brep, edge);
+    if (ends[0] == ends[1]) return {0, 1};  // all round
     const auto share_of = [&](VertexId vertex) {
         const auto place =
             static_cast<std::size_t>(std::find(sequence.begin(), sequence.end(), vertex) - sequence.begin());
@@ -370,10 +371,11 @@ void MergedEntities::join_edges(const Brep& brep, const Projector& projector) {
         edge_of.emplace_back(e);
         const auto ends = brep.ends_of(EdgeId(e));
         if (brep.is_degenerated(EdgeId(e)) || !ends[0].is_valid() || !ends[1].is_valid()) continue;
-        if (vertex_of[ends[0].index()] != vertex_of[ends[1].index()])
+        const VertexId first = vertex_of[ends[0].index()];
+        if (first != vertex_of[ends[1].index()] || !featuremesh::is_point(brep, EdgeId(e), first, tolerance_))
             order.emplace_back(e);
         else if (ends[0] != ends[1])
-            is_point[e] = featuremesh::is_point(brep, EdgeId(e), vertex_of[ends[0].index()], tolerance_);
+            is_point[e] = 1;
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](EdgeId a, EdgeId b) { return vertices_on[a.index()].size() > vertices_on[b.index()].size(); });

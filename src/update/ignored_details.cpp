@@ -36,7 +36,7 @@ double that_spares_solids(const Brep& brep, double length) {
 }  // namespace
 
 double length_to_ignore(const Brep& brep, const MeshOptions& options) {
-    constexpr double share_of_size = 1e-3, share_of_local = 0.02, share_of_diagonal = 1e-4;
+    constexpr double share_of_size = 5e-3, share_of_local = 0.02, share_of_diagonal = 5e-4;
     if (options.ignore_below != 0) return std::max(0.0, options.ignore_below);
     double below = std::min(share_of_size * options.sizing.size, share_of_diagonal * brep.tolerances().diagonal);
     for (const LocalSize& local : options.sizing.local) below = std::min(below, share_of_local * local.size);

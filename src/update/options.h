@@ -17,7 +17,7 @@ struct MeshOptions {
     double keep_margin = 0;    ///< a node is kept when the changed boundary is further off than this many edge lengths;
                                ///< 0: as the sizes need
     double ignore_below = -1;  ///< mm: smaller edges and strips get no elements of their own; 0: those below a
-                               ///< thousandth of the size, unless the part is refused without them; negative: none
+                               ///< two-hundredth of the size, or fewer where the part is refused so; negative: none
     double ignored_below = 0;  ///< mm: what that came to for a mesh
     double most_tets = 50e6;   ///< more than this are refused
     bool operator==(const MeshOptions&) const = default;

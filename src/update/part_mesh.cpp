@@ -33,6 +33,7 @@
 #include "update/mend_angles.h"
 #include "update/mesh_origin.h"
 #include "update/our_errors.h"
+#include "update/size_request.h"
 #include "update/thin_tets.h"
 #include "volume/curved/mid_side_nodes.h"
 
@@ -363,26 +364,30 @@ class Stages {
                 if (takes_thin_tets)
                     report_.rounds.push_back({"thin elements", {}, "they stay", refusals[i]});
                 else if (i > 0)
-                    report_.rounds.push_back({"details", {}, "none are ignored", refusals.front()});
+                    report_.rounds.push_back({"details", {}, "fewer are ignored", refusals[i - 1]});
                 options_.ignored_below = lengths[i];
-                auto whole = fill_all(next, takes_thin_tets);
+                std::vector<Round> rounds;  // with other details it is another part: as many may be tried
+                auto whole = fill_all(next, takes_thin_tets, rounds);
+                report_.rounds.insert(report_.rounds.end(), rounds.begin(), rounds.end());
                 const auto* refusal = std::get_if<Message>(&whole);
                 if (!refusal) return whole;
                 refusals.push_back(*refusal);
-                if (refusals.size() == 1 && options_.ignore_below == 0 &&
-                    !ignore_the_same(part_->brep, lengths.front(), 0))
-                    lengths.push_back(0);
+                if (takes_thin_tets || options_.ignore_below != 0) continue;
+                for (const double less : {0.2 * lengths.front(), 0.0})
+                    if (less < lengths.back() && !ignore_the_same(part_->brep, lengths.back(), less)) {
+                        lengths.push_back(less);
+                        break;
+                    }
             }
         return refusals[lengths.size() - 1];
     }
 
-    std::variant<Filled, Message> fill_all(NextNumbers next, bool takes_thin_tets) {
+    std::variant<Filled, Message> fill_all(NextNumbers next, bool takes_thin_tets, std::vector<Round>& rounds) {
         MeshOptions options = options_;
         options.volume.takes_thin_tets = takes_thin_tets;
-        auto filled =
-            fill_part(part_->brep, *sizing_, nothing_kept(next), options, adopted_sizes_, report_.rounds, context_);
+        auto filled = fill_part(part_->brep, *sizing_, nothing_kept(next), options, adopted_sizes_, rounds, context_);
         if (auto* whole = std::get_if<Filled>(&filled))
-            mend_small_angles(part_->brep, options, adopted_sizes_, *whole, nullptr, report_.rounds, context_);
+            mend_small_angles(part_->brep, options, adopted_sizes_, *whole, nullptr, rounds, context_);
         return filled;
     }
 

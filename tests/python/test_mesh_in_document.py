@@ -523,7 +523,9 @@ class IgnoredDetails(unittest.TestCase):
         return points_of(self.mesh)
 
     def test_have_no_elements_where_they_are_below_the_length(self):
-        self.mesh.Size = 3.9   # automatically what is below a thousandth of it is ignored
+        self.document.recompute()
+        self.assertGreater(self.mesh.MinDihedral.Value, 20)   # automatically what is below a two-hundredth of the size is ignored
+        self.mesh.IgnoreBelow = -1
         self.document.recompute()
         self.assertLess(self.mesh.MinDihedral.Value, 5)
         details = next(english(line) for line in json.loads(self.mesh.Report)["warnings"] if line["code"] == "details_force_angles")

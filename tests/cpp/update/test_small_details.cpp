@@ -2,10 +2,14 @@
 // Parts with what is far smaller than the size: thin rods, and details that are ignored.
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <gp_Ax2.hxx>
+#include <gp_Dir.hxx>
+#include <gp_Pnt.hxx>
 #include <limits>
 #include <set>
 
@@ -117,6 +121,37 @@ TEST_CASE(
         CHECK(again.report.kept_nodes_share == 0);
         CHECK(again.report.quality.min_dihedral < 5);
     }
+}
+
+TEST_CASE("a step round a shaft lower than what is ignored has no elements of its own, whichever way its circles run") {
+    const auto shaft = [](double step, double bore, bool is_turned) {
+        const gp_Ax2 axis(gp_Pnt(0, 0, is_turned ? 40 : 20), gp_Dir(0, 0, is_turned ? -1 : 1), gp_Dir(1, 0, 0));
+        return PartDocument()
+            .cylinder("Shaft", {0, 0, 0}, 10, 20)
+            .add("Seat", "Part::Cylinder", BRepPrimAPI_MakeCylinder(axis, 10 + step, 20).Shape())
+            .fuse("Stepped", "Shaft", "Seat")
+            .cylinder("Bore", {0, 0, 30}, bore, 20)
+            .cut("Part", "Stepped", "Bore")
+            .finish();
+    };
+    for (const int order : {1, 2})
+        for (const bool is_turned : {false, true}) {
+            MeshOptions options = options_of(4, order);
+            options.ignore_below = 0.02;
+            const PartMeshResult result = meshed(shaft(0.01, 4, is_turned), options);
+            check_valid(*result.part_mesh);
+            CHECK(result.report.quality.min_dihedral > 20);
+            CHECK(result.report.rounds.empty());
+            const PartMeshResult bored = updated(*result.part_mesh, shaft(0.01, 5, is_turned), options);
+            check_valid(*bored.part_mesh);
+            CHECK(bored.report.fallbacks.empty());
+            CHECK(bored.report.kept_nodes_share > 0.2);
+            const PartMeshResult higher = updated(*bored.part_mesh, shaft(1, 5, is_turned), options);
+            check_valid(*higher.part_mesh);
+            const PartMeshResult again = updated(*higher.part_mesh, shaft(0.01, 5, is_turned), options);
+            check_valid(*again.part_mesh);
+            CHECK(again.report.quality.min_dihedral > 20);
+        }
 }
 
 TEST_CASE("a bore or a pin that is thinner than what is ignored is closed, however deep it is") {
@@ -302,22 +337,22 @@ TEST_CASE("where no detail is below the length the bytes are the same") {
     const Mesh plain = meshed(stepped_block(3, 45), off).part_mesh->mesh;
     CHECK(are_same_bytes(plain, meshed(stepped_block(3, 45), on).part_mesh->mesh));
     CHECK(are_same_bytes(plain, meshed(stepped_block(3, 45), automatic).part_mesh->mesh));
-    CHECK(are_same_bytes(meshed(stepped_block(0.005, 45), off).part_mesh->mesh,
-                         meshed(stepped_block(0.005, 45), automatic).part_mesh->mesh));
+    CHECK(are_same_bytes(meshed(stepped_block(0.025, 45), off).part_mesh->mesh,
+                         meshed(stepped_block(0.025, 45), automatic).part_mesh->mesh));
 }
 
 TEST_CASE(
-    "automatically what is below a thousandth of the size is ignored, also where an edit makes it, unless a local size "
-    "is nearly as fine") {
+    "automatically what is below a two-hundredth of the size is ignored, also where an edit makes it, unless a local "
+    "size is nearly as fine") {
     MeshOptions automatic = options_of(4);
     automatic.ignore_below = 0;
     MeshOptions fine = automatic, finer = automatic;
-    fine.sizing.local.push_back({entity_of(VertexId(0)), 0.4});
-    finer.sizing.local.push_back({entity_of(VertexId(0)), 0.1});
+    fine.sizing.local.push_back({entity_of(VertexId(0)), 0.9});
+    finer.sizing.local.push_back({entity_of(VertexId(0)), 0.5});
     const PartMeshResult plain = meshed(stepped_block(3, 45), automatic);
-    const PartMeshResult stepped = updated(*plain.part_mesh, stepped_block(0.003, 45), automatic);
-    const PartMeshResult locally = updated(*stepped.part_mesh, stepped_block(0.003, 45), fine);
-    const PartMeshResult again = updated(*locally.part_mesh, stepped_block(0.003, 45), finer);
+    const PartMeshResult stepped = updated(*plain.part_mesh, stepped_block(0.015, 45), automatic);
+    const PartMeshResult locally = updated(*stepped.part_mesh, stepped_block(0.015, 45), fine);
+    const PartMeshResult again = updated(*locally.part_mesh, stepped_block(0.015, 45), finer);
     for (const PartMeshResult* result : {&plain, &stepped, &locally, &again}) check_valid(*result->part_mesh);
     CHECK(stepped.report.kept_nodes_share > 0.3);
     CHECK(stepped.report.quality.min_dihedral > 15);

@@ -36,8 +36,8 @@ def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=
 
     `size` in mm, by default the part's diagonal over `elements`; `order` 2 for 10-node tetrahedra, 1 for 4-node ones, which are far too stiff
     in bending; `dimension` "Solids", "Faces" (triangles for shells), "Edges" (segments for beams), or by default what the shape has. Details smaller
-    than `ignore_below` (mm) get no elements of their own; 0: those below a thousandth of the size, unless the part cannot be meshed without them, negative:
-    none. It joins the active analysis, where one is given, or the one that it is for, see analyses.for_new_mesh; or those of `in_place_of`, a mesh object
+    than `ignore_below` (mm) get no elements of their own; 0: those below a two-hundredth of the size, or fewer where the part cannot be meshed without
+    them, negative: none. It joins the active analysis, where one is given, or the one that it is for, see analyses.for_new_mesh; or those of `in_place_of`, a mesh object
     of another maker that leaves them and stays in the document, whose refinements and groups are the new mesh's, too, and whose size is the default.
     Throws UserError for sizes that make no sense.
     """

@@ -40,8 +40,8 @@ PROPERTIES = [
     ("App::PropertyFloat", "QualityTarget", "Mesh", 30.0, False,
      "Smallest angle in degrees that new elements are improved towards; below 30 is faster, above 35 is rarely reached"),
     ("App::PropertyDistance", "IgnoreBelow", "Mesh", 0.0, False,
-     "Edges, steps and strips of faces smaller than this get no elements of their own; 0: those below a thousandth of Size, unless the part "
-     "cannot be meshed without them; negative: none"),
+     "Edges, steps and strips of faces smaller than this get no elements of their own; 0: those below a two-hundredth of Size, or fewer "
+     "where the part cannot be meshed without them; negative: none"),
     ("App::PropertyEnumeration", "Order", "Mesh", ["1st", "2nd"], False,
      "1st: 4-node tetrahedra; 2nd: 10-node tetrahedra with their mid-side nodes on the surface"),
     ("App::PropertyEnumeration", "Dimension", "Mesh", list(DIMENSIONS), False,

@@ -36,8 +36,8 @@
       <translation>Kanten auf einem vollen Kreis jeder gekrümmten Fläche oder Kante; 0: die Größe folgt der Krümmung nicht</translation>
     </message>
     <message>
-      <source>Edges, steps and strips of faces smaller than this get no elements of their own; 0: those below a thousandth of Size, unless the part cannot be meshed without them; negative: none</source>
-      <translation>Kanten, Absätze und Flächenstreifen, die kleiner sind, bekommen keine eigenen Elemente; 0: solche unter einem Tausendstel von Size, außer wo das Bauteil ohne sie nicht vernetzt werden kann; negativ: keine</translation>
+      <source>Edges, steps and strips of faces smaller than this get no elements of their own; 0: those below a two-hundredth of Size, or fewer where the part cannot be meshed without them; negative: none</source>
+      <translation>Kanten, Absätze und Flächenstreifen, die kleiner sind, bekommen keine eigenen Elemente; 0: solche unter einem Zweihundertstel von Size, oder weniger, wo das Bauteil so nicht vernetzt werden kann; negativ: keine</translation>
     </message>
     <message>
       <source>Elements across thin walls; 0: sizes do not follow thickness</source>
