@@ -2085,6 +2085,10 @@
       <translation>{script:text} endete mit {code:text}</translation>
     </message>
     <message>
+      <source>{share:number} % of the elements are flat, with an angle below 10 degrees, since walls are far thinner than the elements are long, as at {faces:entities}. Results are poor there: ask for one or two elements across walls (Across walls, ElementsAcrossGap), or for a smaller size; sheets can be meshed as shells.</source>
+      <translation>{share:number} % der Elemente sind flach, mit einem Winkel unter 10 Grad, weil Wände viel dünner sind als die Elemente lang, etwa an {faces:entities}. Ergebnisse sind dort schlecht: ein oder zwei Elemente durch die Wand verlangen (In Wänden, ElementsAcrossGap) oder eine kleinere Größe; Bleche können als Schalen vernetzt werden.</translation>
+    </message>
+    <message>
       <source>{sides:count} {sides:side between faces follows|sides between faces follow} no edge</source>
       <translation>{sides:count} {sides:Seite zwischen Flächen folgt|Seiten zwischen Flächen folgen} keiner Kante</translation>
     </message>
