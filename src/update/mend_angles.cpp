@@ -27,7 +27,7 @@ namespace {
 constexpr double smallest_wanted_deg = 10;
 constexpr double hopeless_below_deg = 0.5;  ///< the shortest edges asked for leave less than 3 degrees of it
 constexpr std::size_t one_tet_in = 100;     ///< where more are small, it is not for a few places
-constexpr std::size_t few_tets = 50;        ///< so many may be small in any mesh
+constexpr std::size_t few_tets = 300;       ///< so many may be small in any mesh
 constexpr double most_tets_more = 1.25;
 constexpr std::size_t cheap_tets = 2000;  ///< so many more are no burden, where they do no more than double the mesh
 constexpr std::size_t most_tries = 3;     ///< of a place
