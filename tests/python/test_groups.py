@@ -3,6 +3,7 @@
 import unittest
 
 import ObjectsFem
+from femmesh import meshtools
 from freecad.featuremesh import api
 from meshed_plate import MeshedPlate
 from parts import groups_in_freecad, placement
@@ -82,6 +83,27 @@ class GroupsFollow(MeshedPlate):
             self.assertEqual({name, name + "_Nodes", "Fixed_Nodes", self.right + "_Nodes"}, set(groups_in_freecad(self.mesh)))
         self.document.undo()
         self.assertEqual(self.places("Face1_Nodes"), {60})
+
+    def solved_places(self, support):
+        """Where along x FreeCAD holds the nodes of a support when it writes CalculiX's input."""
+        nodes = self.mesh.FemMesh.Nodes
+        return {round(nodes[number].x, 6) for number in meshtools.get_femnodes_by_femobj_with_references(self.mesh.FemMesh, {"Object": support})}
+
+    def test_supports_whose_names_begin_alike(self):
+        """FreeCAD takes the first group whose name begins with that of the support and _."""
+        first, last = (ObjectsFem.makeConstraintFixed(self.document, name) for name in ("Fixed_left", "Fixed_left_too"))
+        first.References, last.References = [(self.body, self.left)], [(self.body, self.right)]
+        self.analysis.Group = [self.mesh, last, first, self.fixed]
+        api.update_mesh(self.mesh, full=True)
+        self.assertEqual([self.solved_places(support) for support in (self.fixed, first, last)], [{60}, {0}, {60}])
+
+    def test_a_mesh_group_with_the_name_of_a_support(self):
+        self.fixed.Label = "Clamp"
+        group = api.add_group(self.mesh, [(self.body, self.left)])
+        group.UseLabel, group.Label = True, "Fixed"
+        for make in (lambda: None, lambda: api.update_mesh(self.mesh, full=True)):
+            make()
+            self.assertEqual((self.solved_places(self.fixed), self.places("Fixed_2_Nodes")), ({60}, {0}))
 
     def test_a_part_that_was_moved_without_a_recompute(self):
         """By FreeCAD's dragger, and undone is what came after it: the mesh of before is not that of the part."""

@@ -17,7 +17,7 @@ import FreeCAD
 import numpy as np
 
 from . import analyses, versions
-from .formats import FILLING, connectivity, entity_name, is_single_entity, vtk
+from .formats import FILLING, connectivity, entity_name, is_single_entity, not_taken, vtk
 from .given_mesh import empty
 from .materials import material_groups
 from .messages import said
@@ -230,9 +230,7 @@ def groups_of(arrays, owners_of_tets, mesh, raw=None, analysis_of=None):
     resolver = Resolver(part, raw)
     entities = EntityGroups(arrays)
     groups = everything_in_groups(entities, owners_of_tets) if mesh.AllGroups else []
-    groups += _groups_of_objects(mesh, resolver, entities)
-    groups += _unless_named(analysis_groups(analysis_of or mesh, resolver, entities), groups)
-    return [group for group in groups if len(group[2])]
+    return [group for group in _with_those_of_objects(groups, mesh, analysis_of or mesh, resolver, entities) if len(group[2])]
 
 
 def everything_in_groups(entities, owners_of_tets):
@@ -266,8 +264,7 @@ def renew_groups(mesh, resolver, arrays):
     """Makes the groups of mesh group objects and of analysis members in the mesh what they are to be. Those that are so already stay: FreeCAD takes
     milliseconds for one."""
     fem_mesh, source, entities = mesh.FemMesh, analyses.source_of(mesh), EntityGroups(arrays)
-    groups = _groups_of_objects(source, resolver, entities)
-    groups += _unless_named(analysis_groups(mesh, resolver, entities), groups)
+    groups = _with_those_of_objects([], source, mesh, resolver, entities)
     missing = {name: (kind, members) for name, kind, members in groups if len(members)}
     for group in fem_mesh.Groups:
         name = fem_mesh.getGroupName(group)
@@ -374,15 +371,17 @@ def _element_numbers(arrays):
     return np.concatenate([arrays[own] for _, _, own, _ in _ARRAYS.values()])
 
 
-def _groups_of_objects(mesh, resolver, entities):
-    """Those of the mesh's group objects."""
-    return [entry for group in getattr(mesh, "MeshGroupList", []) for entry in _groups_of_references(_name_of(group), group, resolver, entities)]
-
-
-def _unless_named(groups, others):
-    """Those whose name none of the others has."""
-    known = {name for name, _, _ in others}
-    return [group for group in groups if group[0] not in known]
+def _with_those_of_objects(groups, mesh, shown_by, resolver, entities):
+    """These groups, with those of the analysis of what the mesh is shown by, and those of its group objects. Loads and supports find
+    their groups by name, so where one of these objects has such a name its group gets a number behind it."""
+    known = {name for name, _, _ in groups}
+    groups = groups + [group for group in analysis_groups(shown_by, resolver, entities) if group[0] not in known]
+    taken = {name.removesuffix("_Nodes") for name, _, _ in groups}
+    for group in getattr(mesh, "MeshGroupList", []):
+        name = not_taken(_name_of(group), taken)
+        taken.add(name)
+        groups += _groups_of_references(name, group, resolver, entities)
+    return groups
 
 
 def _groups_of_references(name, group, resolver, entities):
