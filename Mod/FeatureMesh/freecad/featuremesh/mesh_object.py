@@ -190,11 +190,11 @@ class FeatureMesh(Stateless):
         _show_in_other_analyses(mesh)
         return report
 
-    def take_over(self, mesh, job, for_freecad):
-        """Like finish, for a document that is never saved: no state is written, and FemMesh is made only `for_freecad`. Returns the report."""
+    def take_over(self, mesh, job, shown_by):
+        """Like finish, for a document that is never saved: no state is written, and FemMesh is that of the objects `shown_by` alone. Returns the report."""
         report = self._report_with_references(mesh, job)
-        if for_freecad:
-            give(mesh, self._fem_mesh(mesh, job.part_mesh, job.raw))
+        for shown in shown_by:
+            give(shown, self._fem_mesh(mesh, job.part_mesh, job.raw, shown))
         self._part_mesh, self._raw, self._frame = job.part_mesh, job.raw, job.frame
         mesh.Status = UP_TO_DATE
         return report
@@ -469,8 +469,8 @@ class FeatureMesh(Stateless):
     def _show(self, mesh, part_mesh):
         give(mesh, self._fem_mesh(mesh, part_mesh), hand_over.skin(mesh, part_mesh.arrays()))
 
-    def _fem_mesh(self, mesh, part_mesh, raw=None):
-        return hand_over.build(part_mesh.arrays(), hand_over.groups_of(part_mesh.arrays(), part_mesh.owners_of_tets, mesh, raw))
+    def _fem_mesh(self, mesh, part_mesh, raw=None, shown_by=None):
+        return hand_over.build(part_mesh.arrays(), hand_over.groups_of(part_mesh.arrays(), part_mesh.owners_of_tets, mesh, raw, shown_by))
 
     def _referring(self, mesh):
         """Everything whose references are of this mesh's part."""

@@ -8,7 +8,7 @@ from femtools import femutils
 from .. import analyses, api, documents, edits, engine, formats, live_result, mesh_object, reading, solve_guard, statics, statics_model, versions
 from ..errors import UserError
 from ..messages import said
-from . import places, response_words, responses
+from . import places, response_words, responses, subject
 from .design import from_plain
 
 
@@ -20,7 +20,8 @@ def make(plain_study, out):
     integers = [parameter.name for parameter in study.parameters if edits.is_whole_number(document, parameter.target)]
     for live in live_result.in_document(document):
         document.removeObject(live.Name)   # it would be solved with every recompute
-    mesh = _mesh_of(document, study)
+    analysis = subject.analysis_of(document, study)
+    mesh = _mesh_of(document, study, analysis)
     part = versions.part_of(mesh)
     reading.refuse_errors(part)
     groups = places.add_groups(mesh, part, study.responses)
@@ -32,25 +33,23 @@ def make(plain_study, out):
     elif groups:
         mesh.Proxy.note_references(mesh, groups)
     _refuse_volume(study, part)
-    solver = _solver(document, study, mesh)
+    solver = _solver(analysis, study, mesh)
     documents.save_document(document, out)
     arrays = mesh.Proxy.arrays(mesh)
     places.refuse_points_outside(arrays, study.responses)
-    _refuse_mixed(document, study, part, arrays)
+    _refuse_mixed(analysis, study, part, arrays)
     kind, mids, _, _ = formats.filling_of(arrays)
-    return {"base_values": values, "integers": integers, "solver": solver, "iterative": _is_iterative(document, study, solver),
+    return {"base_values": values, "integers": integers, "solver": solver, "iterative": _is_iterative(analysis, solver),
             "nodes": len(arrays["points"]), "elements": len(arrays[kind]), "filled_by": kind, "order": 2 if len(arrays[mids]) else 1,
             "part": part.Name, "mesh": mesh.Name, "engine": engine.about()["version"],
-            "freecad": ".".join(map(str, versions.version())), "bytes": os.path.getsize(out), "remarks": _remarks(document, study, solver, kind == "tets")}
+            "freecad": ".".join(map(str, versions.version())), "bytes": os.path.getsize(out), "remarks": _remarks(analysis, study, solver, kind == "tets")}
 
 
-def _mesh_of(document, study):
+def _mesh_of(document, study, analysis):
     """The document's mesh, with the size and order that the study asks for, or a new one."""
-    part = api.find_part(document, study.object)
-    found = [mesh for mesh in api.meshes_of(document) if versions.part_of(mesh) is part]
-    if not found:
-        return api.add_mesh(part, study.mesh_size, study.mesh_order or 2, in_place_of=_other_makers_mesh(document, study))
-    mesh = found[0]
+    mesh, part = subject.mesh_of(document, study, analysis), api.find_part(document, study.object)
+    if mesh is None:
+        return api.add_mesh(part, study.mesh_size, study.mesh_order or 2, in_place_of=_other_makers_mesh(document, study, analysis))
     if study.mesh_size is not None:
         api.check_size(study.mesh_size, part)
         mesh.Size = study.mesh_size
@@ -59,11 +58,9 @@ def _mesh_of(document, study):
     return mesh
 
 
-def _other_makers_mesh(document, study):
+def _other_makers_mesh(document, study, analysis):
     """The mesh that the study's analysis has where that is not ours, or None."""
-    if not response_words.needs_solution(study.responses):
-        return None
-    found = analyses.other_makers_mesh(document, api.find_analysis(document, study.analysis))
+    found = analyses.other_makers_mesh(document, analysis) if response_words.needs_solution(study.responses) else None
     return found[1] if found else None
 
 
@@ -81,11 +78,11 @@ def _refuse_volume(study, part):
                                  response=response.name, part=reading.describe(part)))
 
 
-def _refuse_mixed(document, study, part, arrays):
+def _refuse_mixed(analysis, study, part, arrays):
     """Throws UserError where shells or beams lie beside solids, or on their skin: what is known here of masses and places is of one kind of element."""
-    if not response_words.needs_solution(study.responses) and not any(response.kind == "mass" for response in study.responses):
+    if not response_words.needs_analysis(study.responses):
         return
-    members = statics_model.members_of(api.find_analysis(document, study.analysis))
+    members = statics_model.members_of(analysis)
     skins = [member for member in members for kind in ("Fem::ElementGeometry1D", "Fem::ElementGeometry2D") if femutils.is_of_type(member, kind)]
     if len(formats.fillings_of(arrays)) > 1 or (len(arrays["tets"]) and skins):
         raise UserError(said("a study asks for figures of solids, of shells or of beams alone, and {part:text} has several of them in one analysis; study "
@@ -93,23 +90,21 @@ def _refuse_mixed(document, study, part, arrays):
                              part=reading.describe(part)))
 
 
-def _remarks(document, study, solver, is_solid):
+def _remarks(analysis, study, solver, is_solid):
     """What the figures of the cases do not say, in sentences."""
     if solver != "ccx":
         return []
     from .. import calculix   # FreeCAD's tools for CalculiX take a while to load
-    analysis = api.find_analysis(document, study.analysis)
     asked = calculix.solver_of(analysis)
     of_stresses = any(response.kind in response_words.STRESSES for response in study.responses)
     return (calculix.remarks(is_solid, asked) if of_stresses else []) + calculix.left_out(analysis, asked)
 
 
-def _solver(document, study, mesh):
+def _solver(analysis, study, mesh):
     """"live" or "ccx": what was asked for, else live where that knows all that the analysis holds. Throws UserError."""
     if not response_words.needs_solution(study.responses):
         return None
-    analysis = api.find_analysis(document, study.analysis)
-    if mesh not in analysis.Group:
+    if not subject.shown_in(analysis, mesh):
         raise UserError(said("the analysis {analysis:text} has another mesh than {mesh:text}",
                              analysis=reading.describe(analysis), mesh=reading.describe(mesh)))
     solve_guard.refuse_lost(analysis)
@@ -126,12 +121,11 @@ def _solver(document, study, mesh):
     return chosen
 
 
-def _is_iterative(document, study, solver):
+def _is_iterative(analysis, solver):
     """Does CalculiX solve the base by an iterative solver?"""
     if solver != "ccx":
         return False
     from .. import calculix   # FreeCAD's tools for CalculiX take a while to load
-    analysis = api.find_analysis(document, study.analysis)
     return calculix.solves_iteratively(calculix.solver_of(analysis), calculix.as_arrays(analysis))
 
 

@@ -11,7 +11,7 @@ from .. import api, documents, engine, reading, recompute_errors, solve_guard, s
 from ..errors import UserError
 from ..messages import of_error, said, several
 from ..mesh_properties import element_count
-from . import case_solver, places, response_words, responses, room
+from . import case_solver, places, response_words, responses, room, subject
 from .database import DONE, FAILED, INFEASIBLE
 from .design import from_plain
 from .steps import step
@@ -30,11 +30,12 @@ class Base:
         self.study = from_plain(plain_study)
         self.solver = solver                        # "live" or "ccx"
         self.document = documents.open_document(path)
-        self.mesh = api.find_mesh(self.document, self.study.object)
+        self.analysis = subject.analysis_of(self.document, self.study)
+        self.mesh = subject.mesh_of(self.document, self.study, self.analysis)
         self.part = versions.part_of(self.mesh)
-        self.mesh.Automatic, self.mesh.Threads = False, self.study.threads
-        self.analysis = api.find_analysis(self.document, self.study.analysis) if response_words.needs_solution(self.study.responses) or \
-            self.study.analysis or any(response.kind == "mass" for response in self.study.responses) else None
+        self.mesh.Threads = self.study.threads
+        for mesh in api.meshes_of(self.document):   # each case asks for its own mesh when it is ready, and for no other
+            mesh.Automatic = False
         self.mesh.Proxy.last_part_mesh(self.mesh)   # into memory, for all cases
         self.solution = case_solver.solve_live_base(self.analysis) if solver == "live" else None
         if solver == "ccx":
@@ -102,8 +103,9 @@ def _mesh(base, seconds):
         except engine.load().InputError as error:
             raise Infeasible(of_error(error)) from error
     with step(seconds, "hand_over"):
-        needs_freecad = base.solver == "ccx" or "mesh" in base.study.keep
-        report = base.mesh.Proxy.take_over(base.mesh, job, needs_freecad)
+        shown_by = subject.shown_in(base.analysis, base.mesh) if base.solver == "ccx" else []
+        exported = [base.mesh] if "mesh" in base.study.keep and base.mesh not in shown_by else []
+        report = base.mesh.Proxy.take_over(base.mesh, job, shown_by + exported)
     report.setdefault("fallback", None)
     return report
 

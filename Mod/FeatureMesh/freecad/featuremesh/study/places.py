@@ -32,6 +32,8 @@ def add_groups(mesh, part, responses):
         resolver = resolving.Resolver(part)
         if not resolving.is_element_of(part.Shape, place):
             raise UserError(said("the part has no {place:text}, where a response is asked for", place=place))
+        if part.Document.getObject(_GROUP % number) is not None:   # of a study whose base this document was
+            part.Document.removeObject(_GROUP % number)
         group = ObjectsFem.makeMeshGroup(part.Document, mesh, False, _GROUP % number)
         group.Label = "Place of a response: " + place
         group.References = [(resolver.bearer or part, place)]

@@ -108,6 +108,11 @@ def needs_solution(responses):
     return any(response.kind not in OF_PART and not response.expression for response in responses)
 
 
+def needs_analysis(responses):
+    """Must there be an analysis for these? A mass needs its materials."""
+    return needs_solution(responses) or any(response.kind == "mass" for response in responses)
+
+
 def _from_table(given):
     for key in given:
         if key not in _KEYS:
