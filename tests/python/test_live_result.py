@@ -377,6 +377,20 @@ class Live(Case):
             self.document.recompute()
             self.check_is_fresh(self.document.Analysis, live)
 
+    def test_a_suppressed_mesh_beside_the_one_that_is_solved(self):
+        part, analysis, live = self.cantilever()
+        coarse, fine = self.document.FeatureMesh, api.add_mesh(part, 3, order=1, join_analysis=False)
+        analysis.addObject(fine)
+        for mesh in (coarse, fine):
+            if "Suppressed" not in mesh.PropertiesList:   # before FreeCAD 1.1
+                mesh.addProperty("App::PropertyBool", "Suppressed")
+        coarse.Suppressed = True
+        self.document.recompute()
+        self.check_is_fresh(analysis, live)
+        self.assertEqual([live.Proxy.mesh(live), live.Result.Mesh.FemMesh.NodeCount], [fine, fine.NodeCount])
+        coarse.Suppressed, fine.Suppressed = False, True
+        self.assertEqual([live.Proxy.mesh(live), live.Status], [coarse, live_result.OUT_OF_DATE])
+
     def test_its_mesh_is_made_of_the_mesh_where_freecads_form_is_not_saved(self):
         _, _, live = self.cantilever()
         self.document.FeatureMesh.SavedForFreeCAD = "Never"

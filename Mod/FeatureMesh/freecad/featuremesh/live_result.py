@@ -46,7 +46,7 @@ _HIDDEN = ("Members", "Report", "Failure", "SolvedState")
 _WITHOUT_TOUCH = [name for _, name, *_ in PROPERTIES if name not in ("Members", "Automatic")]
 # Changes that alter no result.
 _OF_NO_CONCERN = {"Visibility", "Label", "Label2", "ExpressionEngine", "Report", "Failure", "ReferredTo", "Proxy"}
-_OF_THE_MESH = {"SavedState", "Status"}
+_OF_THE_MESH = {"SavedState", "Status", "Suppressed"}
 
 # Called with every live result that was made or opened; the window's side adds its view there.
 on_ready = []
@@ -227,8 +227,9 @@ class LiveResult(Stateless):
         choose_form(result.Mesh, is_saved=True)
 
     def mesh(self, live):
-        """The mesh of ours in the analysis, or None."""
-        return next((analyses.source_of(obj) for obj in live.Members if analyses.is_ours(obj)), None)
+        """The mesh of ours in the analysis, of several one that is not suppressed, or None."""
+        found = sorted(filter(analyses.is_ours, live.Members), key=lambda mesh: getattr(mesh, "Suppressed", False))
+        return analyses.source_of(found[0]) if found else None
 
     def take_members(self, live):
         """What of the analysis asks for a new solution when it changes."""
