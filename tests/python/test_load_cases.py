@@ -99,6 +99,16 @@ class LoadCases(MeshedPlate):
         self.assertIn(force.Name + "_Nodes", groups_in_freecad(shared))
         self.assertNotIn(force.Name + "_Nodes", groups_in_freecad(self.mesh))
 
+    def test_what_was_pasted_into_the_analysis_is_not_copied(self):
+        """FreeCAD pastes parts, and since 1.1 another analysis, into the analysis that is selected."""
+        inner = ObjectsFem.makeAnalysis(self.document, "Inner")
+        inner.addObject(ObjectsFem.makeConstraintFixed(self.document, "Held"))
+        for pasted in (inner, self.document.addObject("Part::Box", "Pasted")):
+            self.analysis.addObject(pasted)
+        found = [member.Name for member in self.twin().Group]
+        self.assertEqual([name for name in found if name.startswith(("Inner", "Pasted"))], [])
+        self.assertEqual(self.document.Held.InList, [inner])
+
     def test_the_shared_mesh_follows_an_edit_and_its_loads_keep_their_faces(self):
         copy = self.twin()
         shared, = analyses.meshes_of(copy)

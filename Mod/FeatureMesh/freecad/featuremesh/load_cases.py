@@ -36,7 +36,7 @@ def copy(analysis, name, mesh):
     with all_or_nothing(document):
         made = document.addObject("Fem::FemAnalysis", name or analysis.Name)
         for member in analysis.Group:
-            if member.isDerivedFrom("Fem::FemMeshObject") or statics_model.is_result(member):
+            if member.isDerivedFrom("Fem::FemMeshObject") or analyses.is_analysis(member) or statics_model.is_result(member) or statics_model.is_part(member):
                 continue
             twin = document.copyObject(member, False)
             twin.Label = "%s (%s)" % (member.Label, made.Label)

@@ -323,9 +323,13 @@ def gravity(member):
 
 
 def _is_without_effect(member):
-    """Results, live or not, and what else no solver is given: solvers, and parts, which FreeCAD pastes beside the analysis of theirs that is copied."""
-    kinds = "Fem::FemSolverObject", "Fem::FemSolverObjectPython", "App::Part", "App::Link", "Part::Feature"
-    return is_result(member) or any(member.isDerivedFrom(kind) for kind in kinds)
+    """Results, live or not, and what else no solver is given: solvers and parts."""
+    return is_result(member) or is_part(member) or any(member.isDerivedFrom(kind) for kind in ("Fem::FemSolverObject", "Fem::FemSolverObjectPython"))
+
+
+def is_part(member):
+    """Is it one of the parts that FreeCAD pastes beside the analysis of theirs that is copied?"""
+    return any(member.isDerivedFrom(kind) for kind in ("App::Part", "App::Link", "Part::Feature"))
 
 
 def is_result(member):
