@@ -15,7 +15,7 @@ import FreeCAD
 import numpy as np
 import ObjectsFem
 from analyses import quantity
-from freecad.featuremesh import api, live_result, mesh_object, mesh_properties, messages, results, solve_guard, statics, user_words, versions
+from freecad.featuremesh import api, engine, live_result, mesh_object, mesh_properties, messages, results, solve_guard, statics, user_words, versions
 from freecad.featuremesh.errors import UserError
 from parts import plate_with_hole, rectangle
 from statics_cases import HAS_SOLVER, STEEL, Case, edges_along, faces_at
@@ -376,6 +376,19 @@ class Live(Case):
             self.document.Box.Length = 44
             self.document.recompute()
             self.check_is_fresh(self.document.Analysis, live)
+
+    def test_nothing_is_kept_of_a_closed_document(self):
+        """What the engine keeps of a solution are hundreds of megabytes for a large part; and what was made there is not what has the same name in another document."""
+        _, _, live = self.cantilever()
+        key, freed = live.Proxy.key(live), []
+        with mock.patch.object(engine.load(), "forget_statics", side_effect=freed.append):
+            FreeCAD.closeDocument(self.document.Name)
+        self.assertEqual(freed, [key])
+        self.document = FreeCAD.newDocument("Test")
+        analysis, result = self.analysis(), ObjectsFem.makeResultMechanical(self.document, "LiveResult")
+        self.document.openTransaction("A step that is cancelled")
+        self.document.abortTransaction()
+        self.assertNotIn(result, analysis.Group)
 
     def test_a_suppressed_mesh_beside_the_one_that_is_solved(self):
         part, analysis, live = self.cantilever()

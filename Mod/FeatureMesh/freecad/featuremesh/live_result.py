@@ -426,11 +426,25 @@ class _Observer:
             analysis = obj.Proxy.analysis(obj)
             if obj.Document.Transacting and analysis is not None and obj.Result is not None:
                 self._left.append((analysis.Name, obj.Result.Name))
-            if cancel is not None:
-                cancel(obj)
-            if obj.Proxy.solution is not None:
-                key = obj.Proxy.key(obj)
-                threading.Thread(target=lambda: engine.load().forget_statics(key), daemon=True).start()   # it may wait for a solution under way
+            _let_go(obj)
+
+    def slotDeletedDocument(self, document):
+        for live in in_document(document):
+            _let_go(live)
+        statics_result.forget(document)
+
+
+def _let_go(live):
+    """Of a live result that is about to be gone: ends its solution, and frees what would have made the next one faster."""
+    if cancel is not None:
+        cancel(live)
+    if live.Proxy.solution is None:
+        return
+    key = live.Proxy.key(live)
+    if solve_later is None:
+        engine.load().forget_statics(key)
+    else:   # it may wait for a solution under way
+        threading.Thread(target=lambda: engine.load().forget_statics(key), daemon=True).start()
 
 
 def _take_results(document):

@@ -71,6 +71,12 @@ def set_aside_left_over(document):
         _set_in_tree(obj, obj not in left)
 
 
+def forget(document):
+    """To be called when a document was closed: another one may get its name."""
+    for place in [place for place in _made if place[0] == document.Name]:
+        del _made[place]
+
+
 def _left_over(analysis, name):
     """A result of the analysis, of that name, that was set aside, or None."""
     document = analysis.Document
