@@ -5,11 +5,13 @@ import unittest
 from types import SimpleNamespace
 from unittest import mock
 
+import numpy as np
 import ObjectsFem
 from analyses import add_solver
 from freecad.featuremesh import api, calculix, live_result, mass, solvers, statics, statics_model, tasks
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
+from freecad.featuremesh.study import case_solver
 from statics_cases import HAS_SOLVER, STEEL, Case, edges_along, faces_at
 
 
@@ -88,6 +90,21 @@ class WhatCalculixGot(Case):
         self.document.Steel.Material = dict(STEEL, Density="")
         solver.AnalysisType = "static"
         self.assertIsNone(self.solved()[0]["responses"]["mass_kg"])
+
+
+class HeatAlone(unittest.TestCase):
+    """As FreeCAD 1.0 and later can ask for."""
+
+    def test_it_has_a_temperature_and_no_stress(self):
+        result = SimpleNamespace(DisplacementVectors=[], vonMises=[], Temperature=[300.0, 400.0])
+        found = calculix._responses(None, result, False, "", "thermomech")
+        self.assertEqual((found["max_temperature_k"], found["max_mises_mpa"]), (400, None))
+        self.assertEqual(tasks._responses_in_words(found), "highest temperature 400 K")
+
+    def test_in_a_study(self):
+        numbers = np.array([3, 5])
+        fields = case_solver._fields({"NDTEMP": (numbers, np.array([[300.0], [400.0]]))}, None, "", SimpleNamespace(Group=[]), {"node_numbers": numbers}, None)
+        self.assertEqual((fields.displacements, fields.temperatures.tolist()), (None, [300, 400]))
 
 
 class PrintedReactions(unittest.TestCase):

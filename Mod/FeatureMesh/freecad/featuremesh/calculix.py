@@ -341,9 +341,12 @@ def run(tools):
 def _responses(analysis, result, is_by_row, printed, kind):
     """`is_by_row`: are the result's nodes those of the mesh's arrays, row by row? FreeCAD counts them in the order of their numbers. How large the
     displacements, stresses and reactions of a mode are says nothing."""
+    nothing = dict.fromkeys(("max_mises_mpa", "max_mises_at", "max_displacement_mm", "max_displacement_at"))
     if kind in modes.TABLES:
-        nothing = dict.fromkeys(("max_mises_mpa", "max_mises_at", "max_displacement_mm", "max_displacement_at"))
         return {**nothing, "frequencies_hz" if kind == "frequency" else "buckling_factors": modes.read(printed, kind)}
+    temperature = {"max_temperature_k": max(result.Temperature)} if kind == "thermomech" and len(result.Temperature) else {}
+    if not len(result.DisplacementVectors):   # of heat alone
+        return {**nothing, **temperature}
     displacements = np.array([tuple(vector) for vector in result.DisplacementVectors])
     mises, lengths = np.array(result.vonMises), np.linalg.norm(displacements, axis=1)
     worst, farthest = int(mises.argmax()), int(lengths.argmax())
@@ -355,8 +358,7 @@ def _responses(analysis, result, is_by_row, printed, kind):
         return statics.place(arrays, int(order[rows[row]])) if arrays is not None and len(order) == len(rows) else None
 
     return {"max_mises_mpa": float(mises[worst]), "max_mises_at": place(worst),
-            "max_displacement_mm": float(lengths[farthest]), "max_displacement_at": place(farthest),
-            **({"max_temperature_k": max(result.Temperature)} if kind == "thermomech" and len(result.Temperature) else {})}
+            "max_displacement_mm": float(lengths[farthest]), "max_displacement_at": place(farthest), **temperature}
 
 
 def _arrays(analysis):

@@ -271,10 +271,11 @@ def _responses_in_words(found):
     for name, words in (("frequencies_hz", "frequencies %s Hz"), ("buckling_factors", "buckling factors %s")):
         if name in found:
             return words % (", ".join("%.4g" % value for value in found[name]) or "none")
-    where = found["max_mises_at"]
-    temperature = ", highest temperature %.4g K" % found["max_temperature_k"] if "max_temperature_k" in found else ""
-    return "largest von Mises stress %.4g MPa%s, largest displacement %.4g mm%s" % (
-        found["max_mises_mpa"], " on %s" % where["on"] if where else "", found["max_displacement_mm"], temperature)
+    where, words = found["max_mises_at"], []
+    if found["max_displacement_mm"] is not None:
+        words = ["largest von Mises stress %.4g MPa%s" % (found["max_mises_mpa"], " on %s" % where["on"] if where else ""),
+                 "largest displacement %.4g mm" % found["max_displacement_mm"]]
+    return ", ".join(words + (["highest temperature %.4g K" % found["max_temperature_k"]] if "max_temperature_k" in found else []))
 
 
 def _fallback_in_words(report):

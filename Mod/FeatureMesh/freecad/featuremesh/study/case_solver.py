@@ -88,7 +88,7 @@ def _read(base, analysis, arrays, known):
         swollen = _rows_of_swollen(base + ".frd", arrays) if _is_swollen(found, arrays) else None
     except (OSError, ValueError) as error:
         raise UserError(said("CalculiX left no readable result: {why:messages}", why=of_error(error))) from error
-    if "DISP" not in found:
+    if not {"DISP", "NDTEMP"} & set(found):
         raise UserError(said("CalculiX gave no displacements for {analysis:text}", analysis=describe(analysis)))
     return _fields(found, swollen, printed, analysis, arrays, known)
 
@@ -103,12 +103,12 @@ def _fields(found, swollen, printed, analysis, arrays, known):
     else:
         reactions = calculix.printed_reactions(printed, analysis)
     temperatures = values["NDTEMP"][:, 0] if "NDTEMP" in values else None
-    return Fields(rows, values["DISP"], values.get("STRESS"), temperatures, reactions, calculix.printed_strain_energy(printed))
+    return Fields(rows, values.get("DISP"), values.get("STRESS"), temperatures, reactions, calculix.printed_strain_energy(printed))
 
 
 def _is_swollen(found, arrays):
     """Are the values at nodes of solids that CalculiX made of shells or beams?"""
-    return "DISP" in found and not np.isin(found["DISP"][0], arrays["node_numbers"]).any()
+    return bool(found) and not np.isin(next(iter(found.values()))[0], arrays["node_numbers"]).any()
 
 
 def _rows_of_swollen(path, arrays):
