@@ -419,6 +419,16 @@ class SolveGuard(unittest.TestCase):
         self.edit(60)
         self.assertEqual(result.Label, label + "001 (before the last edit)")
 
+    def test_a_mark_in_another_language(self):
+        """A document goes from one user to another."""
+        result = self.add_result()
+        label = result.Label
+        with mock.patch.object(results, "translate", side_effect=lambda _, text: " (vor der letzten Änderung)"):
+            self.edit(50)
+        self.assertEqual((result.Label, results.is_old(result)), (label + " (vor der letzten Änderung)", True))
+        self.edit(60)
+        self.assertEqual(result.Label, label + " (before the last edit)")
+
     def test_results_are_not_marked_where_nodes_and_elements_stay(self):
         result = self.add_result()
         self.document.openTransaction("Group")

@@ -12,6 +12,7 @@ translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 # A property of results: which state of the mesh they were solved on and of what is in the analysis beside it.
 SOLVED_ON = "SolvedOn"
+_MARK = "OldMark"   # another one: what marks its label while it is old, in the language of who had it marked
 _BESIDE = " with "   # between the two
 _OF_NO_MESH = "-"
 _SUFFIX = QT_TRANSLATE_NOOP("FeatureMesh", " (before the last edit)")
@@ -96,7 +97,7 @@ def is_result(obj):
 
 def is_old(result):
     """Is the result marked as one from before the last edit?"""
-    return any(result.Label.endswith(suffix) for suffix in _suffixes())
+    return any(result.Label.endswith(suffix) for suffix in _suffixes(result))
 
 
 def _mark_all(analysis):
@@ -110,11 +111,12 @@ def _mark(result, state):
     if not getattr(result, SOLVED_ON, ""):
         return
     label = result.Label
-    for suffix in _suffixes():
+    for suffix in _suffixes(result):
         label = label.replace(suffix, "")   # of a copy that FreeCAD has numbered it is not the end
     solved_on = getattr(result, SOLVED_ON)
     if solved_on != (state if _BESIDE in solved_on else state.split(_BESIDE)[0]):
         label += translate("FeatureMesh", _SUFFIX)
+        _note(result, _MARK, translate("FeatureMesh", _SUFFIX))
     if label != result.Label:
         _set_label(result, label)
 
@@ -131,8 +133,8 @@ def _set_label(result, label):
             settings.SetBool(_DUPLICATES, False)
 
 
-def _suffixes():
-    return _SUFFIX, translate("FeatureMesh", _SUFFIX)
+def _suffixes(result):
+    return _SUFFIX, translate("FeatureMesh", _SUFFIX), getattr(result, _MARK, _SUFFIX)
 
 
 def _state_as_solved(analysis):
@@ -186,9 +188,14 @@ def _mesh_of(analysis):
 
 
 def _set_state(result, state):
-    if not state:
-        return
-    if SOLVED_ON not in result.PropertiesList:
-        result.addProperty("App::PropertyString", SOLVED_ON, "FeatureMesh", "The state of the mesh that was solved", NO_TOUCH)
-        result.setEditorMode(SOLVED_ON, HIDDEN)
-    setattr(result, SOLVED_ON, state)
+    if state:
+        _note(result, SOLVED_ON, state)
+
+
+def _note(result, name, text):
+    """In a property that nobody sees."""
+    if name not in result.PropertiesList:
+        result.addProperty("App::PropertyString", name, "FeatureMesh", "", NO_TOUCH)
+        result.setEditorMode(name, HIDDEN)
+    if getattr(result, name) != text:
+        setattr(result, name, text)

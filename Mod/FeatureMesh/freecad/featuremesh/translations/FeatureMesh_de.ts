@@ -216,10 +216,6 @@
       <translation>Die Bauteile, in der Reihenfolge der Volumenkörper der Form</translation>
     </message>
     <message>
-      <source>The state of the mesh that was solved</source>
-      <translation>Der Stand des Netzes, das gelöst wurde</translation>
-    </message>
-    <message>
       <source>Time the last mesh or update took</source>
       <translation>Dauer der letzten Vernetzung oder Aktualisierung</translation>
     </message>
