@@ -62,7 +62,7 @@ def set_aside_left_over(document):
         analysis = document.getObject(_made[document.Name, result.Name])
         if result.InList or analysis is None:
             continue
-        if of_analysis(analysis, result.Name.rstrip("0123456789")) is None:
+        if of_analysis(analysis, _stem(result)) is None:
             analysis.addObject(result)
         else:
             left.append(result)
@@ -81,7 +81,12 @@ def _left_over(analysis, name):
     """A result of the analysis, of that name, that was set aside, or None."""
     document = analysis.Document
     return next((result for result in filter(_is_result, _made_in(document))
-                 if result.Name.startswith(name) and not result.InList and _made[document.Name, result.Name] == analysis.Name), None)
+                 if _stem(result) == name and not result.InList and _made[document.Name, result.Name] == analysis.Name), None)
+
+
+def _stem(obj):
+    """Its name without the number that FreeCAD has given it: what `transfer` made of a result has that one's name with more words."""
+    return obj.Name.rstrip("0123456789")
 
 
 def _is_result(obj):
@@ -118,7 +123,7 @@ def _note_nodes(result, numbers):
 
 def of_analysis(analysis, name="LiveResult"):
     """The result object of that name in an analysis, None where it has none."""
-    return next((member for member in analysis.Group if _is_result(member) and member.Name.startswith(name)), None)
+    return next((member for member in analysis.Group if _is_result(member) and _stem(member) == name), None)
 
 
 def last_displacements(analysis):
