@@ -3,11 +3,12 @@
 import os
 import tempfile
 import unittest
+from unittest import mock
 
 import FreeCAD
 from analyses import quantity
 from freecad.featuremesh import api, mesh_properties
-from freecad.featuremesh.study import base, case_run
+from freecad.featuremesh.study import base, case_run, window_run
 from freecad.featuremesh.study.design import Study, parse_parameter
 from freecad.featuremesh.study.response_words import parse_response
 from parts import plate_with_hole
@@ -87,6 +88,13 @@ class Documents(Case):
         self.assertEqual(list(there.values()), [0])
         _, there = self.case(self.path("first.FCStd"), "max_displacement@" + self.pulled)
         self.assertGreater(list(there.values())[0], 1e-4)
+
+    def test_any_number_of_jobs_in_the_property_editor(self):
+        """With fewer than none the study did nothing and never ended."""
+        with mock.patch.object(window_run.subprocess, "Popen"):
+            found = [window_run.WindowRun(self.folder.name, jobs).jobs for jobs in (-2, 0, 1, 10000)]
+        processors = len(os.sched_getaffinity(0))
+        self.assertEqual(found, [processors, processors, 1, processors])
 
 
 if __name__ == "__main__":

@@ -31,11 +31,12 @@ class WindowRun:
     """The process that runs the study in a folder; it ends with FreeCAD."""
 
     def __init__(self, folder, jobs=0, more=0):
-        """`jobs` cases at once, 0: as many as the processors; `more` cases of the same sampling are added. Throws UserError."""
+        """`jobs` cases at once, 0 or less: as many as the processors; `more` cases of the same sampling are added. Throws UserError."""
         if not sys.platform.startswith("linux"):
             raise UserError(said("studies run on Linux only"))
         self.folder = folder
-        self.jobs = min(jobs or os.cpu_count(), len(os.sched_getaffinity(0)))
+        processors = len(os.sched_getaffinity(0))
+        self.jobs = min(jobs, processors) if jobs > 0 else processors
         self._result = os.path.join(folder, "run.json")
         order = {"folder": folder, "jobs": self.jobs, "more": more, "freecad": program(), "parent": os.getpid()}
         environment = {**os.environ, "FEATUREMESH_STUDY_RUN": json.dumps(order), "FEATUREMESH_ENGINE": engine.folder(), "LC_ALL": "C.UTF-8"}
