@@ -92,6 +92,11 @@ def meshes_of(analysis):
             and type_of(member) != "Fem::MeshResult" and not getattr(member, "Suppressed", False)]
 
 
+def mesh_of_member(member):
+    """The mesh object of ours on which a member of an analysis is solved, or None."""
+    return next((source_of(mesh) for analysis in directly_holding(member) for mesh in meshes_of(analysis) if is_ours(mesh)), None)
+
+
 def take_in(analysis, obj):
     """Adds the object. FreeCAD would mark the analysis for a recompute, which makes nothing of it."""
     was_touched = "Touched" in analysis.State

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gives FEM's tie and contact constraints (and pressures, in 1.1) the element faces of the part that they name, where two parts touch.
+"""Gives FEM's tie and contact constraints, and its fluxes of heat (and pressures, in 1.1), the element faces of the part that they name, where two parts touch.
 
-FreeCAD looks for the nodes of a face by their places. Where parts lie on one another it finds those of both, so that each side of the constraint would
+FreeCAD looks for the nodes of a face by their places. Where parts lie on one another it finds those of both, so that each side of a tie would
 be both parts. The mesh knows better: a part's nodes are its own, and the mesh has a group of those of each face. So what FreeCAD finds is reduced to the
 elements whose corners on the face are in that group. This wraps the functions that FreeCAD's writer of CalculiX input asks.
 """
 
+from . import analyses, versions
+from .resolving import plain_pairs_of
 from .wrapping import wrap
 
 _MODULE = "femmesh.meshtools"
@@ -19,6 +21,7 @@ def install():
     for name in _FUNCTIONS:
         wrap(_MODULE, None, name, _of_both)
     wrap(_MODULE, None, _FUNCTION_OF_ONE, _of_one)
+    wrap("femmesh.meshsetsgetter", "MeshSetsGetter", "get_constraints_heatflux_faces", _of_heat)
 
 
 def of_face(fem_mesh, name, elements):
@@ -30,13 +33,29 @@ def of_face(fem_mesh, name, elements):
     return [pair for pair in elements if len(nodes.intersection(fem_mesh.getElementNodes(pair[0]))) >= _CORNERS]
 
 
-def _of_both(original, fem_mesh, elements_table, nodes_table, member):
-    sides = original(fem_mesh, elements_table, nodes_table, member)
-    names = [sub for _, subs in member["Object"].References for sub in ((subs,) if isinstance(subs, str) else subs)]
-    return [of_face(fem_mesh, name, side) for name, side in zip(names, sides)] if len(names) == len(sides) else sides
+def _own(fem_mesh, member, pairs, elements):
+    """The same for each (object, name) of a member; what is not on the meshed part is found by its place alone."""
+    mesh = analyses.mesh_of_member(member)
+    return [of_face(fem_mesh, name, found) if mesh is not None and obj == versions.part_of(mesh) else found for (obj, name), found in zip(pairs, elements)]
+
+
+def _of_both(original, fem_mesh, elements_table, nodes_table, entry):
+    sides, pairs = original(fem_mesh, elements_table, nodes_table, entry), plain_pairs_of(entry["Object"])
+    return _own(fem_mesh, entry["Object"], pairs, sides) if len(pairs) == len(sides) else sides
 
 
 def _of_one(original, getter, pair):
     found = original(getter, pair)
-    name = pair[1]
-    return (found[0], of_face(getter.femmesh, name, found[1])) if name.startswith("Face") and len(found) == 2 else found
+    source = analyses.source_of(getter.mesh_object)
+    is_own = source is not None and pair[0] == versions.part_of(source) and pair[1].startswith("Face") and len(found) == 2
+    return (found[0], of_face(getter.femmesh, pair[1], found[1])) if is_own else found
+
+
+def _of_heat(original, getter):
+    """In 1.1 it asks for one reference at a time."""
+    original(getter)
+    for entry in getter.member.cons_heatflux:
+        table, pairs = entry.get("HeatFluxFaceTable", ()), [pair for pair in plain_pairs_of(entry["Object"]) if pair[1].startswith("Face")]
+        if len(table) == len(pairs):
+            found = _own(getter.femmesh, entry["Object"], pairs, [elements for _, elements in table])
+            entry["HeatFluxFaceTable"] = [(place, elements) for (place, _), elements in zip(table, found)]

@@ -16,7 +16,7 @@ def install():
 
 def _of_object(original, fem_mesh, entry, kind):
     obj = entry["Object"]
-    if not any(analyses.is_ours(mesh) for analysis in analyses.directly_holding(obj) for mesh in analyses.meshes_of(analysis)):
+    if analyses.mesh_of_member(obj) is None:
         return original(fem_mesh, entry, kind)
     name = "%s_%ss" % (obj.Name, kind)   # Fixed_Nodes
     found = next((group for group in fem_mesh.Groups if fem_mesh.getGroupName(group) == name and fem_mesh.getGroupElementType(group) == kind), None)

@@ -8,8 +8,8 @@ import time
 import FreeCAD
 import Fem
 
-from . import adopt, analyses, chosen_solids, contact_faces, copied_part, document_view, engine, given_mesh, groups_by_name, hand_over, history, log, mesh_properties
-from . import messages, mixed_elements, references, refinements, results, rigid_bodies, shell_fluxes, solve_guard, state, state_property, too_fine, versions
+from . import adopt, analyses, chosen_solids, contact_faces, copied_part, document_view, engine, given_mesh, groups_by_name, hand_over, history, loaded_places, log
+from . import mesh_properties, messages, mixed_elements, references, refinements, results, rigid_bodies, shell_fluxes, solve_guard, state, state_property, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .given_mesh import give
 from .job import MeshJob
@@ -548,7 +548,7 @@ class FeatureMesh(Stateless):
         mesh_properties.add(mesh)
         history.watch()
         document_view.note_file(mesh.Document)
-        for part in (solve_guard, groups_by_name, contact_faces, chosen_solids, mixed_elements, rigid_bodies, shell_fluxes):
+        for part in (solve_guard, groups_by_name, loaded_places, contact_faces, chosen_solids, mixed_elements, rigid_bodies, shell_fluxes):
             part.install()
         for hook in on_ready:
             hook(mesh)

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Gives FreeCAD's writer of CalculiX input the triangles and nodes of the faces, edges and vertices that a force is on, as the mesh knows them.
+
+FreeCAD looks for them by their places. Where two parts touch it finds those of both: a force on a face on which another part lies became larger by that
+part's share, one on an edge ended in an error of Python, one on a vertex was left out.
+"""
+
+import numpy as np
+
+from . import analyses, versions
+from .hand_over import EntityGroups
+from .resolving import Resolver, plain_pairs_of
+from .wrapping import wrap
+
+
+def install():
+    """To be called once one of our meshes is there; further calls do nothing."""
+    for kind in ("face", "edge", "vertex"):
+        wrap("femmesh.meshtools", None, "get_force_obj_%s_nodeload_table" % kind, _of_force)
+
+
+def _of_force(original, fem_mesh, *rest):
+    force, mesh = rest[-1], analyses.mesh_of_member(rest[-1])
+    return original(fem_mesh if mesh is None else _Asked(fem_mesh, mesh, force), *rest)
+
+
+class _Asked:
+    """A FemMesh that is asked once for each reference of an object, in their order, what lies there; for all else it is the one of the mesh."""
+
+    def __init__(self, fem_mesh, mesh, member):
+        resolver = Resolver(versions.part_of(mesh))
+        self._fem_mesh, self._entities = fem_mesh, EntityGroups(mesh.Proxy.arrays(mesh))
+        self._names = iter([resolver.names(obj, sub) for obj, sub in plain_pairs_of(member)])
+
+    def __getattr__(self, name):
+        return getattr(self._fem_mesh, name)
+
+    def getFacesByFace(self, face):
+        return self._numbers(self._entities.elements, self._fem_mesh.getFacesByFace, face)
+
+    def getNodesByFace(self, face):
+        return self._numbers(self._entities.nodes, self._fem_mesh.getNodesByFace, face)
+
+    def getNodesByEdge(self, edge):
+        return self._numbers(self._entities.nodes, self._fem_mesh.getNodesByEdge, edge)
+
+    def getNodesByVertex(self, vertex):
+        return self._numbers(self._entities.nodes, self._fem_mesh.getNodesByVertex, vertex)
+
+    def _numbers(self, numbers_of, by_place, shape):
+        """What is not on the part is found by its place alone."""
+        names = next(self._names, None)
+        return np.unique(np.concatenate([numbers_of(name) for name in names])).tolist() if names else by_place(shape)
