@@ -2,6 +2,7 @@
 """The window with a study's cases and plots; a row opens its case in the document."""
 
 import os
+import time
 
 import FreeCAD
 import FreeCADGui as Gui
@@ -21,6 +22,7 @@ from .undo import undo_step
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _LOOK_EVERY = 1000   # ms
+_REST = 10   # times as long as it took to show what was new, until it looks again
 _STATES = {
     "waiting": QT_TRANSLATE_NOOP("FeatureMesh", "waiting"),
     "running": QT_TRANSLATE_NOOP("FeatureMesh", "running"),
@@ -79,12 +81,19 @@ class StudyWindow(QtGui.QDialog):
 
     def refresh(self):
         """Brings table and plots up to date with the study's database, or says why it cannot be read."""
+        begun = time.monotonic()
         try:
             path = study_object.existing_folder_of(self.study)
             if has_study(path):
                 self._take(StudyFolder(path))
         except UserError as error:
             self.note.setText(in_words(of_error(error)))
+        QtCore.QTimer.singleShot(0, lambda: self._rest(begun))   # when all is drawn
+
+    def _rest(self, begun):
+        """A study whose cases take a second is no reason for a window that only draws."""
+        if self in _open:
+            self._timer.start(max(_LOOK_EVERY, round(1000 * _REST * (time.monotonic() - begun))))
 
     def _take(self, folder):
         """What is in it, unless it is shown already; closes it."""
