@@ -28,8 +28,7 @@ _PIECES_CAN_MOVE = QT_TRANSLATE_NOOP("FeatureMesh", "{solids:entities} can still
 
 def mesh_of(analysis):
     """The mesh object of an analysis. Throws NotUnderstood where it is not ours, or not one."""
-    meshes = [member for member in statics_model.members_of(analysis)
-              if member.isDerivedFrom("Fem::FemMeshObject") and not member.Name.startswith("ResultMesh")]
+    meshes = analyses.meshes_of(analysis)
     if suppressed := analyses.suppressed_mesh_of(analysis):
         raise NotUnderstood(said(analyses.MESH_IS_SUPPRESSED, mesh=describe(suppressed), analysis=describe(analysis)))
     if len(meshes) != 1 or analyses.source_of(meshes[0]) is None:

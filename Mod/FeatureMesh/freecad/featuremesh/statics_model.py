@@ -216,7 +216,9 @@ class _Reader:
             raise NotUnderstood(said("the live solver knows pressure on faces only, not {pressure:text}", pressure=describe(member)))
         names = list(dict.fromkeys(names))
         for name in names:
-            self._refuse_inner_face(member, name)
+            if resolving.is_between_solids(self.part.Shape, name):
+                raise NotUnderstood(said("{pressure:text} presses on {face:entities}, which lies between two solids; choose an outer face", pressure=describe(member),
+                                         face=[name]))
         elements = self._elements(member, names)
         self._load(member, _by_pressure, elements, value)
 
@@ -227,15 +229,6 @@ class _Reader:
 
     def _load(self, member, make, *given):
         self.statics.load_makers.append((describe(member), make, given))
-
-    def _refuse_inner_face(self, member, name):
-        solids = self.part.Shape.Solids
-        if len(solids) < 2:
-            return
-        face = self.part.Shape.getElement(name)
-        if sum(any(face.isSame(other) for other in solid.Faces) for solid in solids) > 1:
-            raise NotUnderstood(said("{pressure:text} presses on {face:entities}, which lies between two solids; choose an outer face", pressure=describe(member),
-                                     face=[name]))
 
     # References
 
