@@ -14,7 +14,7 @@ from freecad.featuremesh import api, calculix, engine, mesh_object, solve_guard,
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from freecad.featuremesh.study import study_object
-from parts import groups_of, new_document
+from parts import groups_in_freecad, groups_of, new_document
 
 STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.30", "Density": "7850 kg/m^3"}
 ALUMINIUM = {"Name": "Aluminium", "YoungsModulus": "70000 MPa", "PoissonRatio": "0.33", "Density": "2700 kg/m^3"}
@@ -215,6 +215,25 @@ class Solving(unittest.TestCase):
         self.assertRegex(solve_guard.reason(analysis), "^Solid. has no material; ")
         self.document.removeObject("Aluminium")
         self.assertEqual(solve_guard.reason(analysis), "")   # one material is that of all
+
+    def test_what_is_suppressed_stands_in_nobodys_way(self):
+        """As FreeCAD 1.1 can: a material that another one takes the place of, a load that has lost its face."""
+        _, _, fragments, names = self.two_boxes()
+        analysis = analysis_of(self.document, fragments, [("Steel", STEEL, [(fragments, names[0])])] + [
+            (name, ALUMINIUM, [(fragments, names[1])]) for name in ("Aluminium", "Magnesium")])
+        mesh = api.add_mesh(fragments, 6.0, order=1)
+        self.document.recompute()
+        lost = ObjectsFem.makeConstraintFixed(self.document, "Lost")
+        lost.addProperty("App::PropertyStringList", "LostReferences")
+        lost.LostReferences = ["Face9"]
+        analysis.addObject(lost)
+        self.assertRegex(solve_guard.reason(analysis), "has several materials: Aluminium, Magnesium")
+        for obj in (self.document.getObject("Magnesium"), lost):
+            if "Suppressed" not in obj.PropertiesList:   # before FreeCAD 1.1
+                obj.addProperty("App::PropertyBool", "Suppressed")
+            obj.Suppressed = True
+        self.assertEqual(solve_guard.reason(analysis), "")
+        self.assertEqual(groups_in_freecad(mesh)["Aluminium_Volumes"], groups_of(mesh)[names[1]])
 
     def test_materials_of_the_objects_that_the_part_is_made_of(self):
         """As users of boolean fragments refer to them; only solids that lie wholly in one of theirs count."""

@@ -86,6 +86,11 @@ def source_of(mesh):
     return mesh.Mesh if type_of(mesh) == SHARED else mesh if type_of(mesh) == _OURS else None
 
 
+def members_of(analysis):
+    """The members that FreeCAD would write; not those of an analysis in it, where FreeCAD 1.1 pastes a copy while it is selected."""
+    return [member for member in analysis.Group if not getattr(member, "Suppressed", False) and not is_analysis(member)]
+
+
 def meshes_of(analysis):
     """The meshes among the members of an analysis, those of results apart."""
     return [member for member in analysis.Group if member.isDerivedFrom("Fem::FemMeshObject")

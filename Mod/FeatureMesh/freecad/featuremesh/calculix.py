@@ -145,7 +145,7 @@ def _unfit_choice(analysis, solver):
 
 def left_out(analysis, solver):
     """What of the analysis is not in the input, of which FreeCAD says nothing."""
-    members = [describe(member) for member in statics_model.members_of(analysis) if not _is_written(femutils.type_of_obj(member), solver.AnalysisType)]
+    members = [describe(member) for member in analyses.members_of(analysis) if not _is_written(femutils.type_of_obj(member), solver.AnalysisType)]
     return [said("CalculiX got nothing of {loads:text}, which FreeCAD does not write for the type of analysis {kind:text}", loads=", ".join(members),
                  kind=solver.AnalysisType)] if members else []
 
@@ -162,7 +162,7 @@ def _by_place(analysis):
         return []
     resolver = resolving.Resolver(versions.part_of(statics.mesh_of(analysis)))
     return [said(_BY_PLACE, object=member.Label, where=[resolving.describe(*pair) for pair in foreign], part=describe(resolver.part))
-            for member in analysis.Group if hasattr(member, "References") and not is_material(member) and (foreign := resolver.of_object(member)[1])]
+            for member in analyses.members_of(analysis) if hasattr(member, "References") and not is_material(member) and (foreign := resolver.of_object(member)[1])]
 
 
 def _is_written(member_type, kind):

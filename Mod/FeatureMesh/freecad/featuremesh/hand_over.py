@@ -255,8 +255,9 @@ def analysis_groups(mesh, resolver, entities):
             groups.append((member.Name + "_Faces", "Face", _union([entities.elements(name) for name in names if name.startswith("Face")])))
         faces.update((name + "_Nodes", entities.nodes(name)) for name in names if name.startswith("Face"))
         solids.update((name, entities.elements(name)) for name in names if name.startswith("Solid"))
-    if len(materials) > 1:
-        groups += material_groups(materials, resolver, entities)
+    used = [material for material in materials if not getattr(material, "Suppressed", False)]
+    if len(used) > 1:
+        groups += material_groups(used, resolver, entities)
     return groups + [(name, "Node", nodes) for name, nodes in faces.items()] + [(name, "Volume", elements) for name, elements in solids.items()]
 
 

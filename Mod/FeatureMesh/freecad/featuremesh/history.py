@@ -15,7 +15,7 @@ from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, UP_TO_DATE, is_of_it
 from .reading import dependencies, has_shape
 
 _NAMES = ("Label", "UseLabel")   # by which a mesh group object may call its groups
-_WATCHED = ("References", *references.ALONG, "Group", "MeshGroupList", "MeshRegionList", "Automatic", *_NAMES)
+_WATCHED = ("References", "Suppressed", *references.ALONG, "Group", "MeshGroupList", "MeshRegionList", "Automatic", *_NAMES)
 _PLACES = ("Placement", "PlacementList")   # of an object, and of a link with several elements
 _observer = None
 _deleted = {}   # name of a document -> names of the objects deleted from it
@@ -185,7 +185,7 @@ class _Observer:
                 mesh.Proxy.references_changed(mesh, obj)
             elif name not in _NAMES and (mesh is obj or obj in mesh.InList or analyses.is_analysis(obj) or name == "Automatic"):
                 mesh.Proxy.members_changed(mesh)
-            if name == "References" or name == "Group" and obj in analyses.holding(mesh) or name in _NAMES and obj in mesh.MeshGroupList:
+            if name in ("References", "Suppressed") or name == "Group" and obj in analyses.holding(mesh) or name in _NAMES and obj in mesh.MeshGroupList:
                 mesh.Proxy.renew_groups(mesh)
 
 

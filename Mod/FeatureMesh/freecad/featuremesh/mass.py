@@ -6,7 +6,7 @@ import math
 import numpy as np
 from femtools import femutils
 
-from . import formats, materials, statics, statics_model
+from . import analyses, formats, materials, statics, statics_model
 from .errors import UserError
 from .hand_over import EntityGroups
 from .messages import said
@@ -32,7 +32,7 @@ def of_part(part, analysis, arrays):
     """kg. What the mesh says of shares is of its straight elements, the whole is FreeCAD's. Throws UserError."""
     kind, _, own, _ = formats.filling_of(arrays)
     resolver, entities = Resolver(part), EntityGroups(arrays)
-    members = statics_model.members_of(analysis) if analysis else []
+    members = analyses.members_of(analysis) if analysis else []
 
     def by_element(fem_type, what, value_of, numbers_of):
         found = [member for member in members if femutils.is_of_type(member, fem_type)]

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 
 import FreeCAD
 
-from . import assembled, versions
+from . import analyses, assembled, versions
 from .messages import said
 from .proxies import HIDDEN
 from .reading import has_shape
@@ -205,14 +205,15 @@ def elsewhere(objects, resolver):
 
 
 def unmended(analysis):
-    """(object, sentence) for every member of the analysis that has lost all it referred to, or refers to what is not there: the analysis must not be
+    """(object, sentence) for every member of the analysis that is solved and has lost all it referred to, or refers to what is not there: the analysis must not be
     solved until each has been given new references."""
-    gone = {member: _gone(member) for member in analysis.Group}
+    members = analyses.members_of(analysis)
+    gone = {member: _gone(member) for member in members}
     return [(member, translate("FeatureMesh", "%s refers to %s, which is gone; choose another face, edge or solid for it") % (member.Label, ", ".join(lost)))
             for member, lost in gone.items() if lost] + [
                 (member, translate("FeatureMesh", "%s acts along %s, which is gone; open it and choose its direction again") % (
                     member.Label, ", ".join(getattr(member, LOST_ALONG))))
-                for member in analysis.Group if getattr(member, LOST_ALONG, None)]
+                for member in members if getattr(member, LOST_ALONG, None)]
 
 
 def _gone(obj):

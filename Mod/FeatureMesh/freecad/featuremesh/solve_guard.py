@@ -11,7 +11,7 @@ import threading
 
 import FreeCAD
 
-from . import analyses, formats, history, materials, references, resolving, results, statics_model, versions
+from . import analyses, formats, history, materials, references, resolving, results, versions
 from .errors import UserError
 from .hand_over import EntityGroups, is_material
 from .messages import said
@@ -49,20 +49,20 @@ def reason(analysis):
 
 def _why_not_on(mesh, analysis):
     """What of the analysis does not go with a mesh of ours that is up to date."""
-    arrays = mesh.Proxy.arrays(mesh)
+    arrays, members = mesh.Proxy.arrays(mesh), analyses.members_of(analysis)
     resolver, entities = resolving.Resolver(versions.part_of(mesh)), EntityGroups(arrays)
-    return not_recomputed(mesh) or mesh.Proxy.clicked_elsewhere(mesh, analysis.Group) or _without_elements(analysis, resolver, entities) \
-        or _material_in_doubt(analysis, resolver, entities) or _without_section(analysis, resolver, entities, formats.filling_of(arrays)[0]) \
-        or _without_trace(analysis, resolver)
+    return not_recomputed(mesh) or mesh.Proxy.clicked_elsewhere(mesh, members) or _without_elements(members, resolver, entities) \
+        or _material_in_doubt(members, resolver, entities) or _without_section(members, resolver, entities, formats.filling_of(arrays)[0]) \
+        or _without_trace(members, resolver)
 
 
 def _lost(analysis):
     return next((sentence for _, sentence in references.unmended(analysis)), "")
 
 
-def _without_trace(analysis, resolver):
+def _without_trace(members, resolver):
     """A load on a face of the part and on one of an earlier feature of which nothing is left would lose its share there in silence."""
-    for member in analysis.Group:
+    for member in members:
         if hasattr(member, "References") and not is_material(member) and resolver.without_trace(member):
             return in_words(references.elsewhere([member], resolver)[member.Name])
     return ""
@@ -89,10 +89,10 @@ def _reason_in_window(analysis):
     return reason(analysis)
 
 
-def _without_elements(analysis, resolver, entities):
+def _without_elements(members, resolver, entities):
     """A load on nothing but what is too small for elements would be left out of the input."""
     small = entities.names_without_elements()
-    for member in analysis.Group if small else ():
+    for member in members if small else ():
         if hasattr(member, "References") and not any(member.isDerivedFrom(kind) for kind in _ON_NODES):
             names, foreign = resolver.of_object(member)
             if names and not foreign and small.issuperset(names):
@@ -100,19 +100,19 @@ def _without_elements(analysis, resolver, entities):
     return ""
 
 
-def _material_in_doubt(analysis, resolver, entities):
+def _material_in_doubt(members, resolver, entities):
     """Solids have become one, or there is another one, since materials were chosen for them."""
-    problem = materials.doubt(list(filter(is_material, analysis.Group)), resolver, entities)
+    problem = materials.doubt(list(filter(is_material, members)), resolver, entities)
     return in_words(problem) if problem else ""
 
 
-def _without_section(analysis, resolver, entities, filling):
+def _without_section(members, resolver, entities, filling):
     """Where all of several thicknesses or beam sections have faces or edges of their own, what an edit has brought may have none, and CalculiX would end. A
     single one is for all."""
     if filling not in _SECTIONS:
         return ""
     kind, fem_type, words = _SECTIONS[filling]
-    chosen = [member for member in statics_model.members_of(analysis) if type_of(member) == fem_type]
+    chosen = [member for member in members if type_of(member) == fem_type]
     if len(chosen) < 2 or not all(member.References for member in chosen):
         return ""
     known = {name for member in chosen for name in resolver.of_object(member)[0]}

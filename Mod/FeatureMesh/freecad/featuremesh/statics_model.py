@@ -85,11 +85,6 @@ def prepared(analysis, mesh, arrays=None):
     return _Reader(analysis, mesh, arrays or mesh.Proxy.arrays(mesh)).statics
 
 
-def members_of(analysis):
-    """The members that FreeCAD would write; not those of an analysis in it, where FreeCAD 1.1 pastes a copy while it is selected."""
-    return [member for member in analysis.Group if not getattr(member, "Suppressed", False) and not analyses.is_analysis(member)]
-
-
 class _Reader:
 
     def __init__(self, analysis, mesh, arrays):
@@ -103,7 +98,7 @@ class _Reader:
         self.entities = EntityGroups(self.arrays)
         self.row_of = np.full(int(self.arrays["node_numbers"].max(initial=0)) + 1, -1)
         self.row_of[self.arrays["node_numbers"]] = np.arange(len(self.arrays["node_numbers"]))
-        members = members_of(analysis)
+        members = analyses.members_of(analysis)
         materials = [member for member in members if femutils.is_of_type(member, "Fem::MaterialCommon")]
         self._read_materials(materials)
         _check_solver(analysis)

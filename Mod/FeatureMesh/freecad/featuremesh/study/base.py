@@ -82,7 +82,7 @@ def _refuse_mixed(analysis, study, part, arrays):
     """Throws UserError where shells or beams lie beside solids, or on their skin: what is known here of masses and places is of one kind of element."""
     if not response_words.needs_analysis(study.responses):
         return
-    members = statics_model.members_of(analysis)
+    members = analyses.members_of(analysis)
     skins = [member for member in members for kind in ("Fem::ElementGeometry1D", "Fem::ElementGeometry2D") if femutils.is_of_type(member, kind)]
     if len(formats.fillings_of(arrays)) > 1 or (len(arrays["tets"]) and skins):
         raise UserError(said("a study asks for figures of solids, of shells or of beams alone, and {part:text} has several of them in one analysis; study "
