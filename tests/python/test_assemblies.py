@@ -486,12 +486,16 @@ class LoadsWhereAnotherPartLies(InADocument):
             self.assertAlmostEqual(sum(load for _, load in loads) / FORCE, 1, places=6)
             self.assertLessEqual({node for node, _ in loads}, plate)
 
-    def test_heat_flows_into_the_part_that_was_chosen(self):
+    def test_heat_and_section_prints_are_those_of_the_part_that_was_chosen(self):
         self.document.Solver.AnalysisType = "thermomech"
-        self.added(ObjectsFem.makeConstraintHeatflux, next(face for face in self.plate.Faces if face.CenterOfMass.z > 9.999))
-        entry, = self.found().cons_heatflux
-        (_, elements, *_), = entry.get("HeatFluxFaceTable") or entry["HeatFluxFaces"]
-        self.assertLessEqual({element for element, _ in elements}, set(groups_of(self.mesh)["Solid1"]))
+        for make in (ObjectsFem.makeConstraintHeatflux, ObjectsFem.makeConstraintSectionPrint):
+            self.added(make, next(face for face in self.plate.Faces if face.CenterOfMass.z > 9.999))
+        found = self.found()
+        (heat,), (printed,) = found.cons_heatflux, found.cons_sectionprint
+        (_, heated, *_), = heat.get("HeatFluxFaceTable") or heat["HeatFluxFaces"]
+        for elements in (heated, printed["SectionPrintFaces"]):
+            self.assertGreater(len(elements), 10)
+            self.assertLessEqual({element for element, _ in elements}, set(groups_of(self.mesh)["Solid1"]))
 
 
 @unittest.skipUnless(shutil.which("ccx"), "this machine has no CalculiX")

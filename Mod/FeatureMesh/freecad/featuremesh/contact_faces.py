@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gives FEM's tie and contact constraints, and its fluxes of heat (and pressures, in 1.1), the element faces of the part that they name, where two parts touch.
+"""Gives FEM's tie and contact constraints, its fluxes of heat and section prints (and pressures, in 1.1), the element faces of the part that they name, where two parts touch.
 
 FreeCAD looks for the nodes of a face by their places. Where parts lie on one another it finds those of both, so that each side of a tie would
 be both parts. The mesh knows better: a part's nodes are its own, and the mesh has a group of those of each face. So what FreeCAD finds is reduced to the
@@ -22,6 +22,7 @@ def install():
         wrap(_MODULE, None, name, _of_both)
     wrap(_MODULE, None, _FUNCTION_OF_ONE, _of_one)
     wrap("femmesh.meshsetsgetter", "MeshSetsGetter", "get_constraints_heatflux_faces", _of_heat)
+    wrap("femmesh.meshsetsgetter", "MeshSetsGetter", "get_constraints_sectionprint_faces", _of_print)
 
 
 def of_face(fem_mesh, name, elements):
@@ -59,3 +60,11 @@ def _of_heat(original, getter):
         if len(table) == len(pairs):
             found = _own(getter.femmesh, entry["Object"], pairs, [elements for _, elements in table])
             entry["HeatFluxFaceTable"] = [(place, elements) for (place, _), elements in zip(table, found)]
+
+
+def _of_print(original, getter):
+    original(getter)
+    for entry in getter.member.cons_sectionprint:
+        if "SectionPrintFaces" in entry:
+            pairs = plain_pairs_of(entry["Object"])[-1:]   # FreeCAD prints one
+            entry["SectionPrintFaces"], = _own(getter.femmesh, entry["Object"], pairs, [entry["SectionPrintFaces"]])
