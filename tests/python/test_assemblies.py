@@ -486,6 +486,18 @@ class LoadsWhereAnotherPartLies(InADocument):
             self.assertAlmostEqual(sum(load for _, load in loads) / FORCE, 1, places=6)
             self.assertLessEqual({node for node, _ in loads}, plate)
 
+    def test_a_force_on_a_coarse_circle(self):
+        """Of which the chords are shorter by more than a hundredth: an error of Python in FreeCAD 0.20."""
+        drum = self.document.addObject("Part::Cylinder", "Drum")
+        drum.Radius = 20
+        self.analysis.removeObject(self.mesh)
+        self.mesh, self.part = self.meshed(drum, 20, 1), drum
+        if self.mesh not in self.analysis.Group:
+            self.analysis.addObject(self.mesh)
+        self.added(ObjectsFem.makeConstraintForce, next(edge for edge in drum.Shape.Edges if edge.Closed)).Force = quantity(FORCE, "N")
+        (_, loads), = self.found().cons_force[0]["NodeLoadTable"]
+        self.assertAlmostEqual(sum(getattr(load, "Value", load) for load in loads.values()) / FORCE, 0.97, delta=0.02)
+
     def test_heat_and_section_prints_are_those_of_the_part_that_was_chosen(self):
         self.document.Solver.AnalysisType = "thermomech"
         for make in (ObjectsFem.makeConstraintHeatflux, ObjectsFem.makeConstraintSectionPrint):

@@ -5,8 +5,6 @@ FreeCAD looks for them by their places. Where two parts touch it finds those of 
 part's share, one on an edge ended in an error of Python, one on a vertex was left out.
 """
 
-import numpy as np
-
 from . import analyses, versions
 from .hand_over import EntityGroups
 from .resolving import Resolver, plain_pairs_of
@@ -48,6 +46,7 @@ class _Asked:
         return self._numbers(self._entities.nodes, self._fem_mesh.getNodesByVertex, vertex)
 
     def _numbers(self, numbers_of, by_place, shape):
-        """What is not on the part is found by its place alone."""
-        names = next(self._names, None)
-        return np.unique(np.concatenate([numbers_of(name) for name in names])).tolist() if names else by_place(shape)
+        """What is not on the part is found by its place alone. FreeCAD 0.20 asks once more to tell that the chords of a curved edge are shorter than that, and fails at
+        whatever it gets."""
+        names = next(self._names, ())
+        return by_place(shape) if names is None else sorted({number for name in names for number in numbers_of(name).tolist()})
