@@ -7,7 +7,7 @@ from unittest import mock
 
 import numpy as np
 import ObjectsFem
-from analyses import add_solver
+from analyses import add_solver, quantity
 from freecad.featuremesh import api, calculix, live_result, mass, solvers, statics, statics_model, tasks
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
@@ -149,6 +149,21 @@ class DirectOrIterative(Case):
             for far, is_iterative in ((0, True), (0.5, False)):
                 moved.xDisplacement = far
                 self.assertEqual(calculix.solves_iteratively(self.document.Solver, calculix.as_arrays(analysis)), is_iterative, far)
+
+
+@unittest.skipUnless(HAS_SOLVER and shutil.which("ccx"), "PETSc or CalculiX is not installed")
+class PressureOnBothSides(Case):
+    def test_of_a_plate_that_is_one_element_thick(self):
+        """FreeCAD loaded the narrow sides between them, too, whose nodes are all on one or the other."""
+        part, analysis = self.box(40, 40, 4), self.analysis()
+        self.fix(analysis, part, faces_at(part, 0, 0))
+        self.add(analysis, ObjectsFem.makeConstraintPressure, "Pressure", [(part, faces_at(part, 2, 0) + faces_at(part, 2, 4))], Pressure=quantity(1.0, "MPa"))
+        mesh = self.mesh(part, 6)
+        for order in ("1st", "2nd"):
+            mesh.Order = order
+            self.document.recompute()
+            live, ccx = (api.solve_analysis(analysis, which)["responses"]["max_mises_mpa"] for which in ("live", "ccx"))
+            self.assertAlmostEqual(ccx / live, 1, delta=1e-3)
 
 
 @unittest.skipUnless(shutil.which("ccx"), "CalculiX is not installed")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gives FreeCAD's writer of CalculiX input the triangles and nodes of the faces, edges and vertices that a force is on, as the mesh knows them.
+"""Gives FreeCAD's writer of CalculiX input the triangles and nodes of the faces, edges and vertices that a force is on, and the sides of elements that a pressure
+is on, as the mesh knows them.
 
 FreeCAD looks for them by their places. Where two parts touch it finds those of both: a force on a face on which another part lies became larger by that
 part's share, one on an edge ended in an error of Python, one on a vertex was left out.
@@ -10,16 +11,31 @@ from .hand_over import EntityGroups
 from .resolving import Resolver, plain_pairs_of
 from .wrapping import wrap
 
+_SIDES = {1: (0, 1, 2), 2: (0, 1, 3), 3: (0, 2, 3), 4: (1, 2, 3)}   # corners of a tet's sides, as FreeCAD counts both
+
 
 def install():
     """To be called once one of our meshes is there; further calls do nothing."""
     for kind in ("face", "edge", "vertex"):
         wrap("femmesh.meshtools", None, "get_force_obj_%s_nodeload_table" % kind, _of_force)
+    wrap("femmesh.meshtools", None, "get_pressure_obj_faces", _of_pressure)
 
 
 def _of_force(original, fem_mesh, *rest):
     force, mesh = rest[-1], analyses.mesh_of_member(rest[-1])
     return original(fem_mesh if mesh is None else _Asked(fem_mesh, mesh, force), *rest)
+
+
+def _of_pressure(original, fem_mesh, elements_table, nodes_table, entry):
+    """FreeCAD (0.20, 1.0) takes each side whose nodes are on the faces, though not on one and the same: also the sides between two faces that are one element apart."""
+    found, mesh = original(fem_mesh, elements_table, nodes_table, entry), analyses.mesh_of_member(entry["Object"])
+    if mesh is None or not fem_mesh.VolumeCount:
+        return found
+    names, foreign = Resolver(versions.part_of(mesh)).of_object(entry["Object"])
+    entities = EntityGroups(mesh.Proxy.arrays(mesh))
+    triangles = {frozenset(fem_mesh.getElementNodes(number)[:3]) for name in names for number in entities.elements(name).tolist()}
+    return found if foreign else [[element, side] for element, side in found
+                                  if frozenset(elements_table[element][corner] for corner in _SIDES[side]) in triangles]
 
 
 class _Asked:
