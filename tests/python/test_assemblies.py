@@ -13,12 +13,10 @@ import numpy as np
 import ObjectsFem
 import Part
 from analyses import add_material, add_solver, quantity, solve
-from femmesh.meshsetsgetter import MeshSetsGetter
-from femtools import membertools
 from freecad.featuremesh import api, assembled, mesh_object, resolving, solve_guard, tasks, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import in_english
-from parts import groups_in_freecad, groups_of, new_document, placement
+from parts import groups_in_freecad, new_document, placement
 
 STEEL = {"Name": "Steel", "YoungsModulus": "210000 MPa", "PoissonRatio": "0.0", "Density": "7900 kg/m^3"}
 SIDE, HEIGHT, COUNT, FORCE = 10, 4, 10, 1000.0   # mm, mm, parts, N
@@ -439,75 +437,6 @@ class Assembly(InADocument):
         self.document = FreeCAD.openDocument(path)
         mesh = api.find_mesh(self.document)
         self.check_edit(mesh, [self.document.getObject("Plate%d" % index) for index in range(COUNT)])
-
-
-class LoadsWhereAnotherPartLies(InADocument):
-    """A strip lies on a plate, along one of its edges: FreeCAD finds the strip's nodes there, too."""
-
-    def setUp(self):
-        super().setUp()
-        plate, strip = (self.document.addObject("Part::Box", name) for name in ("Plate", "Strip"))
-        for box, width, height in ((plate, 40, 0), (strip, 10, 10)):
-            box.Length, box.Width, box.Height, box.Placement = 40, width, 10, placement(0, 0, height)
-        self.document.recompute()
-        self.mesh = self.meshed(self.compound([plate, strip]), 5, 1)
-        self.part = versions.part_of(self.mesh)
-        self.plate = self.part.Shape.Solids[0]
-        self.analysis = ObjectsFem.makeAnalysis(self.document, "Analysis")
-        add_solver(self.document, self.analysis)
-        add_material(self.document, self.analysis, "Steel", STEEL)
-        self.analysis.addObject(self.mesh)
-
-    def added(self, make, shape):
-        """What `make` adds to the analysis, on one of the plate's shapes."""
-        kind = shape.ShapeType
-        shapes = {"Face": self.part.Shape.Faces, "Edge": self.part.Shape.Edges, "Vertex": self.part.Shape.Vertexes}[kind]
-        load = make(self.document)
-        load.References = [(self.part, next(kind + str(number) for number, own in enumerate(shapes, 1) if own.isSame(shape)))]
-        self.analysis.addObject(load)
-        return load
-
-    def found(self):
-        """What FreeCAD's writer of CalculiX input found, as its members of the analysis."""
-        member = membertools.AnalysisMember(self.analysis)
-        MeshSetsGetter(self.analysis, self.document.Solver, self.mesh, member).get_mesh_sets()
-        return member
-
-    def test_forces_are_as_large_as_they_are(self):
-        """They grew by the strip's share on the face, ended in an error of Python on the edge, and were left out on the vertex."""
-        top = next(face for face in self.plate.Faces if face.CenterOfMass.z > 9.999)
-        edge = next(edge for edge in top.Edges if edge.CenterOfMass.y < 0.001)
-        for shape in (top, edge, edge.Vertexes[0]):
-            force = self.added(ObjectsFem.makeConstraintForce, shape)
-            force.Force = quantity(FORCE, "N")
-        plate, = [nodes for nodes in nodes_by_solid(self.mesh) if all(self.mesh.FemMesh.Nodes[node].z < 10.001 for node in nodes)]
-        for entry in self.found().cons_force:
-            loads = [(node, getattr(load, "Value", load)) for _, table in entry["NodeLoadTable"] for node, load in table.items()]
-            self.assertAlmostEqual(sum(load for _, load in loads) / FORCE, 1, places=6)
-            self.assertLessEqual({node for node, _ in loads}, plate)
-
-    def test_a_force_on_a_coarse_circle(self):
-        """Of which the chords are shorter by more than a hundredth: an error of Python in FreeCAD 0.20."""
-        drum = self.document.addObject("Part::Cylinder", "Drum")
-        drum.Radius = 20
-        self.analysis.removeObject(self.mesh)
-        self.mesh, self.part = self.meshed(drum, 20, 1), drum
-        if self.mesh not in self.analysis.Group:
-            self.analysis.addObject(self.mesh)
-        self.added(ObjectsFem.makeConstraintForce, next(edge for edge in drum.Shape.Edges if edge.Closed)).Force = quantity(FORCE, "N")
-        (_, loads), = self.found().cons_force[0]["NodeLoadTable"]
-        self.assertAlmostEqual(sum(getattr(load, "Value", load) for load in loads.values()) / FORCE, 0.97, delta=0.02)
-
-    def test_heat_and_section_prints_are_those_of_the_part_that_was_chosen(self):
-        self.document.Solver.AnalysisType = "thermomech"
-        for make in (ObjectsFem.makeConstraintHeatflux, ObjectsFem.makeConstraintSectionPrint):
-            self.added(make, next(face for face in self.plate.Faces if face.CenterOfMass.z > 9.999))
-        found = self.found()
-        (heat,), (printed,) = found.cons_heatflux, found.cons_sectionprint
-        (_, heated, *_), = heat.get("HeatFluxFaceTable") or heat["HeatFluxFaces"]
-        for elements in (heated, printed["SectionPrintFaces"]):
-            self.assertGreater(len(elements), 10)
-            self.assertLessEqual({element for element, _ in elements}, set(groups_of(self.mesh)["Solid1"]))
 
 
 @unittest.skipUnless(shutil.which("ccx"), "this machine has no CalculiX")
