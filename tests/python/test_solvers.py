@@ -8,7 +8,7 @@ from unittest import mock
 import numpy as np
 import ObjectsFem
 from analyses import add_solver, quantity
-from freecad.featuremesh import api, calculix, live_result, mass, solvers, statics, statics_model, tasks
+from freecad.featuremesh import api, calculix, frd, live_result, mass, solvers, statics, statics_model, tasks
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import english
 from freecad.featuremesh.study import case_solver
@@ -90,6 +90,20 @@ class WhatCalculixGot(Case):
         self.document.Steel.Material = dict(STEEL, Density="")
         solver.AnalysisType = "static"
         self.assertIsNone(self.solved()[0]["responses"]["mass_kg"])
+
+
+@unittest.skipUnless(HAS_SOLVER and shutil.which("ccx"), "PETSc or CalculiX is not installed")
+class NoNumbers(Case):
+    def test_what_is_no_number_is_told(self):
+        _, analysis = self.held_box(8.0)
+        read = frd.read
+
+        def without_a_number(path, names):
+            blocks = read(path, names)
+            blocks["STRESS"][1][0] = np.nan
+            return blocks
+        with mock.patch.object(frd, "read", side_effect=without_a_number), self.assertRaisesRegex(UserError, "^CalculiX gave what is no number for Analysis: look at"):
+            api.solve_analysis(analysis, "ccx")
 
 
 class HeatAlone(unittest.TestCase):

@@ -281,12 +281,15 @@ def _with_solver(text, solver, known):
 
 def _read_arrays(analysis, known, path):
     """The result object from the file's arrays, the reactions by support, and what share of the loads these do not balance; None where the file has not what is
-    expected."""
+    expected. Throws UserError."""
     blocks = frd.read(path, {"DISP": 3, "STRESS": 6, "TOSTRAIN": 6, "FORC": 3})
     numbers = known.arrays["node_numbers"]
     order = np.argsort(numbers)
     if not {"DISP", "STRESS", "FORC"} <= set(blocks) or any(not np.array_equal(np.sort(found), numbers[order]) for found, _ in blocks.values()):
         return None
+    if not all(np.isfinite(values).all() for _, values in blocks.values()):
+        raise UserError(said("CalculiX gave what is no number for {analysis:text}: look at its loads, materials and units, or choose another MatrixSolverType",
+                             analysis=describe(analysis)))
     rows = np.empty(len(numbers), dtype=np.int64)
 
     def by_row(name):

@@ -435,6 +435,10 @@
       <translation>CalculiX lieferte keine Verschiebungen für {analysis:text}</translation>
     </message>
     <message>
+      <source>CalculiX gave what is no number for {analysis:text}: look at its loads, materials and units, or choose another MatrixSolverType</source>
+      <translation>CalculiX lieferte für {analysis:text} etwas, das keine Zahl ist: prüfen Sie Lasten, Materialien und Einheiten, oder wählen Sie einen anderen MatrixSolverType</translation>
+    </message>
+    <message>
       <source>CalculiX got nothing of {loads:text}, for which FreeCAD found no elements</source>
       <translation>CalculiX erhielt nichts von {loads:text}: FreeCAD fand dafür keine Elemente</translation>
     </message>
