@@ -28,12 +28,11 @@ def refuse_too_fine(shape, size, growth, refinements):
         raise UserError(said("a size of {size:length} would make more than a million million elements; at most {most:count} million are made. Choose a "
                              "larger size",
                              size=size, most=round(MOST / 1e6)))
-    counts = {}
-    for entity, (local, name) in _smallest(refinements).items():
-        if 0 < local < size:
-            counts[entity, local, name] = _elements_around(shape, entity, local, size, growth - 1)
-    if not counts:
+    asked = [(entity, local, name) for entity, (local, name) in _smallest(refinements).items() if 0 < local < size]
+    if not asked:
         return
+    measured = _measured(shape)
+    counts = {(entity, local, name): _elements_around(measured, entity, local, size, growth - 1) for entity, local, name in asked}
     total, (entity, local, name) = sum(counts.values()), max(counts, key=counts.get)
     if counts[entity, local, name] > MOST_AROUND and not entity.startswith("Solid"):
         _refuse(counts[entity, local, name], entity, local, name,
@@ -63,20 +62,26 @@ def _smallest(refinements):
     return found
 
 
-def _elements_around(shape, entity, local, size, slope):
+def _measured(shape):
+    """({kind: edges, faces or solids}, the volume of all), which take FreeCAD 15 ms of a shape with 200 faces."""
+    return {"Edge": shape.Edges, "Face": shape.Faces, "Solid": shape.Solids}, shape.Volume
+
+
+def _elements_around(measured, entity, local, size, slope):
     """About how many elements a local size adds; a vertex adds next to none."""
     kind, index = entity.rstrip("0123456789"), int(entity[len(entity.rstrip("0123456789")):] or 0) - 1
     depth = (size - local) / slope if slope > 0 else math.inf   # to where the size is that of the part
-    parts = {"Edge": shape.Edges, "Face": shape.Faces, "Solid": shape.Solids}.get(kind, [])
-    if not 0 <= index < len(parts):
+    parts, volume = measured
+    of_kind = parts.get(kind, [])
+    if not 0 <= index < len(of_kind):
         return 0.0
     if kind == "Solid":
-        return _PER_FINER * parts[index].Volume / local ** 3
+        return _PER_FINER * of_kind[index].Volume / local ** 3
     if kind == "Face":
-        area = parts[index].Area
-        return _PER_FINER * area * _over_layer(local, slope, min(depth, shape.Volume / area)) if area > 0 else 0.0
-    length = parts[index].Length
-    return _PER_FINER * length * _over_quarter(local, slope, min(depth, math.sqrt(4 * shape.Volume / (math.pi * length)))) if length > 0 else 0.0
+        area = of_kind[index].Area
+        return _PER_FINER * area * _over_layer(local, slope, min(depth, volume / area)) if area > 0 else 0.0
+    length = of_kind[index].Length
+    return _PER_FINER * length * _over_quarter(local, slope, min(depth, math.sqrt(4 * volume / (math.pi * length)))) if length > 0 else 0.0
 
 
 def _over_layer(local, slope, depth):
