@@ -94,6 +94,10 @@ class Edits(unittest.TestCase):
         self.assertEqual(value_to_vary(self.document, "Box.Placement.Axis.z"), 1)
         box.setExpression("Placement.Rotation.Angle", "20 deg")
         self.refused("Box.Placement.Angle=30", "is driven by the expression")
+        self.refused("Box.Placement.Axis.z=0", "FreeCAD refuses 0 for Box.Placement.Rotation.Axis.z")
+        box.setExpression("Placement.Rotation.Angle", None)
+        box.setExpression("Placement", "Plate.Placement")
+        self.refused("Box.Placement.Base.x=5", "is driven by the expression")
 
     def test_the_place_of_a_sketch_can_be_varied(self):
         self.assertEqual(value_to_vary(self.document, "HoleSketch.AttachmentOffset.Base.z"), 0)

@@ -17,6 +17,7 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _NO_PROPERTY = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no property {name:text}{near:messages}")
 _NO_CONSTRAINT = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no constraint or property {name:text}{near:messages}")
 _NO_CELL = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text} has no alias or cell {name:text}{near:messages}")   # of a spreadsheet
+_WOULD_TAKE = QT_TRANSLATE_NOOP("FeatureMesh", "FreeCAD refuses {value:text} for {object:text}.{name:text} (it would take {taken:text})")
 _WHOLE = ("App::PropertyInteger", "App::PropertyIntegerConstraint")
 _CAPITALS, _DIGITS = string.ascii_uppercase, string.digits
 _CONSTRAINTS = "Constraints"   # of a sketch, as expressions name them
@@ -153,8 +154,7 @@ def _set_property(obj, path, text):
     if not rest and not _same(getattr(obj, name), new):
         got = getattr(obj, name)
         setattr(obj, name, old)
-        raise UserError(said("FreeCAD refuses {value:text} for {object:text}.{name:text} (it would take {taken:text})",
-                             value=text, object=describe(obj), name=name, taken=str(got)))
+        raise UserError(said(_WOULD_TAKE, value=text, object=describe(obj), name=name, taken=str(got)))
     if name == "Placement" and obj.isDerivedFrom("PartDesign::Feature"):
         obj.touch()  # by its placement alone FreeCAD 0.20 moves the whole body's shape and does not compute the feature
 
@@ -180,6 +180,8 @@ def _with_part(obj, name, old, path, text):
         if parts[:2] == ["Rotation", "Axis"] and parts[2:] in (["x"], ["y"], ["z"]):
             axis = FreeCAD.Vector(new.Rotation.Axis)
             setattr(axis, parts[-1], _number(text, "", where))
+            if not axis.Length:   # of no length; FreeCAD would take another one, and no angle
+                raise UserError(said(_WOULD_TAKE, value=text, object=describe(obj), name="%s.%s" % (name, path), taken=str(getattr(new.Rotation.Axis, parts[-1]))))
             angle = FreeCAD.Units.Quantity(new.Rotation.Angle, "rad").getValueAs("deg")
             new.Rotation = FreeCAD.Rotation(axis, float(angle))
             return new
@@ -305,7 +307,7 @@ def _refuse_expression(obj, path):
     path = ".".join(filter(None, _property(obj, path)))
     for bound, expression in obj.ExpressionEngine:
         bound = bound.lstrip(".")
-        if bound == path or bound.startswith(path + ".") and bound != path + ".Enum":   # that is the list to choose from, as of a table of configurations
+        if bound == path or path.startswith(bound + ".") or bound.startswith(path + ".") and bound != path + ".Enum":   # that: the list of a configuration table
             raise _driven(obj, path, expression)
 
 
