@@ -51,6 +51,12 @@ class LoadCases(MeshedPlate):
         self.document.recompute()
         return copy
 
+    def test_an_analysis_is_found_by_its_name_though_another_one_has_that_label(self):
+        copy = self.twin()
+        copy.Label, self.analysis.Label = self.analysis.Name, "First"
+        self.assertIs(api.find_analysis(self.document, self.analysis.Name), self.analysis)
+        self.assertIs(api.find_analysis(self.document, "First"), self.analysis)
+
     @unittest.skipUnless(HAS_SOLVER, "PETSc is not installed")
     def test_each_analysis_has_a_live_result_of_its_own(self):
         copy = self.twin()

@@ -465,7 +465,8 @@ def add_study(part, analysis=None):
 def find_analysis(document, name=None):
     """The document's analysis, the one of that name where there are several. Throws UserError."""
     refuse_no_document(document)
-    found = [obj for obj in analyses.analyses_of(document) if not name or name in (obj.Name, obj.Label)]
+    found = analyses.analyses_of(document)
+    found = reading.called(found, name) if name else found
     if not found:
         raise UserError(said("the document {document:text} has no analysis{name:text}; add one in FreeCAD's FEM workbench",
                              document=document.Label, name=" " + name if name else ""))

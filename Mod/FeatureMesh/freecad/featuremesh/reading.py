@@ -105,12 +105,8 @@ def final_solids_of(objects):
 
 def _final_objects(objects, kind):
     candidates = [obj for obj in objects if _is_candidate(obj, kind)]
-    used = set()
-    for obj in candidates:
-        used.update(_used_by(obj))
-    for obj in objects:
-        if obj.TypeId == "PartDesign::Body" or _is_feature_of_body(obj):
-            used.update(_used_by(obj))
+    users = candidates + [obj for obj in objects if obj.TypeId == "PartDesign::Body" or _is_feature_of_body(obj)]
+    used = {one for user in users for one in _used_by(user)}
     return [obj for obj in candidates if obj not in used]
 
 
@@ -132,17 +128,19 @@ def no_shape(part):
 
 def find_object(document, name, meant=()):
     """The object of that name, else the only one with that label. Throws UserError with names that come close, or else those of what may be meant."""
-    found = document.getObject(name)
-    if found is not None:
-        return found
-    labelled = document.getObjectsByLabel(name)
-    if len(labelled) == 1:
-        return labelled[0]
-    if labelled:
+    found = called(document.Objects, name)
+    if len(found) == 1:
+        return found[0]
+    if found:
         raise UserError(said("{count:count} objects have the label {label:text}, use a name: {names:text}",
-                             count=len(labelled), label=name, names=", ".join(obj.Name for obj in labelled)))
+                             count=len(found), label=name, names=", ".join(obj.Name for obj in found)))
     near = close_names(name, [o.Name for o in document.Objects]) or (said("; its parts are {names:text}", names=", ".join(map(describe, meant))) if meant else "")
     raise UserError(said("the document has no object {name:text}{near:messages}", name=name, near=near))
+
+
+def called(objects, name):
+    """Those of the objects with that name, else those with that label: a label may be another one's name."""
+    return [obj for obj in objects if obj.Name == name] or [obj for obj in objects if obj.Label == name]
 
 
 def describe(obj):

@@ -10,7 +10,7 @@ from . import adopt, analyses, engine, results
 from .errors import UserError
 from .given_mesh import give
 from .messages import said
-from .reading import describe
+from .reading import called, describe
 from .statics_result import NODES
 
 SAME_NODE, INSIDE, OUTSIDE = 0, 1, 2
@@ -81,7 +81,7 @@ def find_result(document, name=None):
     """The document's result object with values, the one called `name` where there are several. Throws UserError."""
     results = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemResultObject") and len(obj.NodeNumbers)]
     if name:
-        results = [obj for obj in results if name in (obj.Name, obj.Label)]
+        results = called(results, name)
     if not results:
         raise UserError(said("the document {document:text} has no result{name:text} with values per node; solve first",
                              document=document.Label, name=" " + name if name else ""))
