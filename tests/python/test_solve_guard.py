@@ -127,6 +127,15 @@ class SolveGuard(unittest.TestCase):
         self.document.recompute()
         self.assertEqual((self.problem(), self.document.FeatureMesh.FemMesh.BoundBox.XMax), ("", 50))
 
+    def test_an_edit_is_not_forgotten_when_something_else_is_undone(self):
+        self.document.UndoMode = 1
+        self.part.Length = 50   # as a script leaves it
+        self.document.openTransaction("Label")
+        self.analysis.Label = "Other"
+        self.document.commitTransaction()
+        self.document.undo()
+        self.refuses("Beam was edited and not recomputed")
+
     def test_what_a_panel_left_touched_is_recomputed_in_the_window(self):
         """By no thread of a solver, and not where FreeCAD skips recomputes."""
         def in_a_thread():

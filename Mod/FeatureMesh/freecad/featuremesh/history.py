@@ -20,7 +20,7 @@ _PLACES = ("Placement", "PlacementList")   # of an object, and of a link with se
 _observer = None
 _deleted = {}   # name of a document -> names of the objects deleted from it
 _recomputed = set()   # names of the documents that were recomputed since they were opened
-_undone = set()   # and of those in which something was undone or redone since
+_undone = {}   # name of a document -> names of the objects that undo and redo brought back, and that were neither edited nor recomputed since
 _untouched = {}   # name of a document -> names of the meshes and zones that were not touched when its last transaction began
 _getting_shape = set()   # (name of a document, name) of the objects that are being given another shape just now
 _left_touched = {}   # name of a document -> names of the objects that recomputes left touched, or have come to so far
@@ -57,10 +57,11 @@ def edited_of(document, objects):
     """Those of `objects` that were edited and not recomputed since. What another FreeCAD saved, and what an undo brought back with its shape, counts as
     edited for FreeCAD, though nobody did; where it skips recomputes it is not known who did. What a recompute itself left touched, as it does the joints
     of an assembly that refer to that, was not edited until somebody does."""
-    is_settled = document.Name in _undone or document.Name not in _recomputed and not versions.wrote(document)
-    if is_settled and not document.RecomputesFrozen:
+    if document.Name not in _recomputed and not versions.wrote(document) and not document.RecomputesFrozen:
         return []
-    return [obj for obj in objects if "Touched" in obj.State and obj.Name not in _left_touched.get(obj.Document.Name, ())]
+    undone = _undone.get(document.Name, ())
+    return [obj for obj in objects if "Touched" in obj.State and obj.Name not in _left_touched.get(obj.Document.Name, ())
+            and not (obj.Document is document and obj.Name in undone)]
 
 
 def edited_behind(mesh):
@@ -135,11 +136,12 @@ class _Observer:
         recomputed = filter(None, map(document.getObject, _left_touched.get(document.Name, ())))
         _left_touched[document.Name] = {obj.Name for obj in recomputed if "Touched" in obj.State}
         _recomputed.add(document.Name)
-        _undone.discard(document.Name)
+        _undone.pop(document.Name, None)
         _outdate_in_others(document)
 
     def slotCreatedObject(self, obj):
         _deleted.get(obj.Document.Name, set()).discard(obj.Name)
+        _note_if_undone(obj)
 
     def slotDeletedObject(self, obj):
         _deleted.setdefault(obj.Document.Name, set()).add(obj.Name)
@@ -150,7 +152,7 @@ class _Observer:
     def slotDeletedDocument(self, document):
         _deleted.pop(document.Name, None)
         _recomputed.discard(document.Name)
-        _undone.discard(document.Name)
+        _undone.pop(document.Name, None)
         _left_touched.pop(document.Name, None)
         _untouched.pop(document.Name, None)
         results.forget(document)
@@ -166,7 +168,9 @@ class _Observer:
             results.note_again(obj, from_input=True)   # since 1.1 a solver fills its pipeline anew
         if FreeCAD.isRestoring() or obj.Document.Recomputing:
             return
-        _left_touched.get(obj.Document.Name, set()).discard(_name_of(obj))
+        for known in (_left_touched, _undone):
+            known.get(obj.Document.Name, set()).discard(_name_of(obj))
+        _note_if_undone(obj)
         if obj.Document.Transacting or _getting_shape and name in ("References", *references.ALONG):
             return   # since 1.0 FreeCAD lets references follow a shape that a script sets
         results.member_changed(obj, name)
@@ -187,6 +191,12 @@ class _Observer:
                 mesh.Proxy.members_changed(mesh)
             if name in ("References", "Suppressed") or name == "Group" and obj in analyses.holding(mesh) or name in _NAMES and obj in mesh.MeshGroupList:
                 mesh.Proxy.renew_groups(mesh)
+
+
+def _note_if_undone(obj):
+    """FreeCAD marks what undo and redo bring back as edited, though it comes with its shape, unless recomputes were skipped."""
+    if obj.Document.Transacting and not obj.Document.RecomputesFrozen:
+        _undone.setdefault(obj.Document.Name, set()).add(_name_of(obj))
 
 
 def _fail_meshes(document, objects):
@@ -217,7 +227,6 @@ def _touch_what_moved_with(obj):
 
 
 def _show_states(document):
-    _undone.add(document.Name)
     assembled.touch_if_moved(document.findObjects("Part::FeaturePython"))
     for mesh in _meshes_in(document):
         mesh.Proxy.show_state(mesh)
