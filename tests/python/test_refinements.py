@@ -103,6 +103,16 @@ class Zones(MeshedPlate):
         self.assertGreater(len(far), 50)
         self.assertEqual([number for number in far if now.get(number) != before[number]], [])
 
+    def test_it_begins_in_the_middle_of_a_part_that_is_in_a_placed_container(self):
+        container = self.document.addObject("App::Part", "Part")
+        container.addObject(self.body)
+        container.Placement = placement(100, 50, 0, 30)
+        self.document.recompute()
+        count = self.mesh.TetCount
+        api.add_size_zone(self.mesh, inner=1)
+        self.document.recompute()
+        self.assertGreater(self.mesh.TetCount, 1.5 * count)
+
     def test_it_grows_to_the_outer_size_over_the_transition(self):
         self.sphere(inner=0.8, radius=3, outer=1.5, transition=8)
         self.document.recompute()

@@ -292,7 +292,7 @@ def add_size_zone(mesh, kind="Box", references=None, placement=None, inner=None,
     with all_or_nothing(mesh.Document):
         zone = size_zone.add(mesh, kind, inner)
         zone.OuterSize, zone.Transition, zone.References = outer, transition, _references(mesh, names)
-        size_zone.fit_to(zone, part.Shape.BoundBox)
+        size_zone.fit_to(zone, part)
         for name, value in measures.items():
             setattr(zone, name.capitalize(), measure_of(name, value))
         if placement is not None:

@@ -82,12 +82,13 @@ def add(mesh, kind, inner):
     return zone
 
 
-def fit_to(zone, box):
-    """Puts the zone into the middle of a part with that bounding box, a quarter as large."""
+def fit_to(zone, part):
+    """Puts the zone into the middle of the part, where FEM has its nodes, a quarter as large."""
+    box = part.Shape.BoundBox
     side = box.DiagonalLength / 8
     zone.Length = zone.Width = zone.Height = 2 * side
     zone.Radius = side
-    zone.Placement = FreeCAD.Placement(box.Center - _middle(zone), FreeCAD.Rotation())
+    zone.Placement = versions.parent_frame(part).multiply(FreeCAD.Placement(box.Center - _middle(zone), FreeCAD.Rotation()))
 
 
 def change_kind(zone, kind):
