@@ -12,6 +12,7 @@ import window  # noqa: E402
 from analyses import held_and_pushed  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
 from parts import new_document, plate_with_hole  # noqa: E402
+from pivy import coin  # noqa: E402
 from window import click, click_button_of, click_in_panel, is_whole, panel, picture, pixels, report_view, spin, type_into, wait_for  # noqa: E402
 
 
@@ -201,6 +202,24 @@ def check_distance(document, body, mesh):
     assert mesh.Status == "up to date", mesh.Status
 
 
+def check_distance_in_a_container():
+    """The face from which it is measured is drawn over the mesh."""
+    from freecad.featuremesh import api
+    document = new_document("Placed")
+    container, box = document.addObject("App::Part", "Part"), document.addObject("Part::Box", "Box")
+    container.addObject(box)
+    container.Placement.Base.x = 100
+    document.recompute()
+    mesh = api.add_mesh(box, 5, order=1)
+    zone = api.add_size_zone(mesh, "Distance", ["Face1"])   # its smallest x
+    document.recompute()
+    measured = coin.SoGetBoundingBoxAction(coin.SbViewportRegion(100, 100))
+    measured.apply(zone.ViewObject.RootNode)
+    drawn = measured.getBoundingBox()   # what it gives is gone with it
+    assert abs(drawn.getMax()[0] - mesh.FemMesh.BoundBox.XMin) < 1e-5, (drawn.getMax().getValue(), mesh.FemMesh.BoundBox)
+    FreeCAD.closeDocument(document.Name)
+
+
 def check_dragged(document, body, mesh):
     """A copy of a zone is in no mesh until it is dragged to one; what a mesh has can be dragged to another, also from FEM's mesh of Gmsh, as FEM's users do."""
     theirs = ObjectsFem.makeMeshGmsh(document, "Gmsh")
@@ -369,6 +388,7 @@ def drive():
     check_right_click(mesh)
     check_beside_a_live_result(document, body, mesh)
     assert FreeCAD.ActiveDocument is document
+    check_distance_in_a_container()
 
 
 window.run(drive)

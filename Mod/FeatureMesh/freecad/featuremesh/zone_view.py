@@ -6,7 +6,7 @@ import math
 import FreeCAD
 from pivy import coin
 
-from . import size_zone, view_provider
+from . import size_zone, versions, view_provider
 from .gui.edited_in_panel import DrawnByUs
 
 _COLOUR, _FADED = (0.95, 0.55, 0.16), (0.6, 0.6, 0.6)   # as it is, and suppressed
@@ -94,14 +94,14 @@ def _lines(polylines):
 
 
 def _near(zone):
-    """The faces, edges and vertices from which the distance is measured, over the part's own."""
+    """The faces, edges and vertices from which the distance is measured, where FEM has their nodes."""
     back = zone.Placement.inverse()
     nodes = []
     for obj, names in zone.References or ():
         for name in names:
             shape = obj.getSubObject(name)
             if shape is not None:
-                nodes += _drawn(shape, back)
+                nodes += _drawn(shape, back.multiply(versions.parent_frame(obj)))
     return nodes
 
 
