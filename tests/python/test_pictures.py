@@ -109,6 +109,10 @@ class Geometry(unittest.TestCase):
         self.assertEqual((first == 0).all(axis=2).sum(), 400)
         self.assertLess(first.shape[0], 32)
 
+    def test_a_title_with_dollars_is_no_formula(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pictures.write_panels(Path(folder, "mesh.png"), [("a $\\frac$ b", np.zeros((20, 20, 3), dtype=np.uint8))])
+
 
 class Drawing(unittest.TestCase):
     def check_fit(self, direction):

@@ -268,7 +268,7 @@ def write_panels(path, panels, kinds=(), bar=None, active=False, width=13.0, leg
     figure, axes = pyplot.subplots(1, len(panels), figsize=(width, height + 0.8), squeeze=False)
     for axis, (title, picture) in zip(axes[0], panels):
         axis.imshow(picture, interpolation="lanczos")
-        axis.set_title(title, fontsize=12, color="#20262d", loc="left")
+        axis.set_title(title.replace("$", r"\$"), fontsize=12, color="#20262d", loc="left")
         axis.set_axis_off()
     figure.subplots_adjust(left=0.005, right=0.995, top=1 - 0.36 / (height + 0.8), bottom=0.42 / (height + 0.8), wspace=0.01)
     entries = [(COLOURS[kind], LABELS[kind] + " elements") for kind in kinds] + list(legend)
