@@ -127,6 +127,16 @@ class SolveGuard(unittest.TestCase):
         self.document.recompute()
         self.assertEqual((self.problem(), self.document.FeatureMesh.FemMesh.BoundBox.XMax), ("", 50))
 
+    def test_an_edit_of_a_new_document_that_was_never_recomputed_beside_a_mesh(self):
+        """As by a script that makes part, analysis and mesh, and updates that by itself."""
+        part = new_document("New").addObject("Part::Box", "Beam")
+        part.recompute()
+        mesh = api.add_mesh(part, 5, order=1)
+        api.update_mesh(mesh)
+        self.assertEqual(solve_guard.not_recomputed(mesh), "")
+        part.Length = 50
+        self.assertRegex(solve_guard.not_recomputed(mesh), "Beam was edited and not recomputed")
+
     def test_an_edit_is_not_forgotten_when_something_else_is_undone(self):
         self.document.UndoMode = 1
         self.part.Length = 50   # as a script leaves it

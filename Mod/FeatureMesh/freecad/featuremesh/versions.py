@@ -24,7 +24,8 @@ def text():
 
 def wrote(document):
     """Was the document made or last saved by a FreeCAD of this version?"""
-    return document.getProgramVersion().startswith("%d.%dR" % version())
+    saved_by = document.getProgramVersion()
+    return not saved_by or saved_by.startswith("%d.%dR" % version())
 
 
 def later_that_saved(document):
