@@ -10,7 +10,7 @@ import FreeCAD
 import ObjectsFem
 from analyses import quantity
 from femtools import ccxtools
-from freecad.featuremesh import api, cli, mesh_object, versions
+from freecad.featuremesh import api, cli, mesh_object, solve_guard, versions
 from freecad.featuremesh.errors import UserError
 from parts import new_document, plate_with_hole
 
@@ -82,6 +82,26 @@ class Solve(unittest.TestCase):
         self.document = new_document()
         self.body = plate_with_hole(self.document)
         self.analysis, self.mesh = analysis_of(self.document, self.body)
+
+    def test_an_edit_of_a_new_document_that_was_never_recomputed_beside_a_mesh(self):
+        """As where a script makes part, analysis and mesh, and updates that by itself."""
+        part = new_document("New").addObject("Part::Box", "Beam")
+        part.recompute()
+        part.purgeTouched()
+        mesh = api.add_mesh(part, 5, order=1)
+        api.update_mesh(mesh)
+        self.assertEqual(solve_guard.not_recomputed(mesh), "")
+        part.Length = 50
+        self.assertRegex(solve_guard.not_recomputed(mesh), "Beam was edited and not recomputed")
+
+    def test_an_edit_is_not_forgotten_when_something_else_is_undone(self):
+        self.document.UndoMode = 1
+        self.document.Plate.Length = 12   # as a script leaves it
+        self.document.openTransaction("Label")
+        self.analysis.Label = "Other"
+        self.document.commitTransaction()
+        self.document.undo()
+        self.assertRegex(solve_guard.reason(self.analysis), "Plate was edited and not recomputed")
 
     def test_solves_with_a_solver_of_its_own_and_again_after_an_edit(self):
         first = api.solve(self.analysis)

@@ -127,24 +127,33 @@ class SolveGuard(unittest.TestCase):
         self.document.recompute()
         self.assertEqual((self.problem(), self.document.FeatureMesh.FemMesh.BoundBox.XMax), ("", 50))
 
-    def test_an_edit_of_a_new_document_that_was_never_recomputed_beside_a_mesh(self):
-        """As by a script that makes part, analysis and mesh, and updates that by itself."""
-        part = new_document("New").addObject("Part::Box", "Beam")
-        part.recompute()
-        mesh = api.add_mesh(part, 5, order=1)
-        api.update_mesh(mesh)
-        self.assertEqual(solve_guard.not_recomputed(mesh), "")
-        part.Length = 50
-        self.assertRegex(solve_guard.not_recomputed(mesh), "Beam was edited and not recomputed")
+    def test_a_part_that_is_recomputed_alone(self):
+        """As by *Recompute object* in the tree: FreeCAD tells the mesh nothing, or has it wait for the next recompute."""
+        for length, recompute in ((50, self.part.recompute), (60, lambda: self.document.recompute([self.part]))):
+            self.part.Length = length
+            recompute()
+            self.refuses("edited and not recomputed|is out of date")
+            self.document.recompute()
+            self.assertEqual((self.problem(), self.mesh.FemMesh.BoundBox.XMax), ("", length))
+        sheet = self.document.addObject("Spreadsheet::Sheet", "Sheet")
+        sheet.set("A1", "=60 mm")
+        self.part.setExpression("Length", "Sheet.A1")
+        self.document.recompute()
+        sheet.set("A1", "=70 mm")
+        sheet.recompute()
+        self.refuses("Sheet was edited and not recomputed")
 
-    def test_an_edit_is_not_forgotten_when_something_else_is_undone(self):
-        self.document.UndoMode = 1
-        self.part.Length = 50   # as a script leaves it
-        self.document.openTransaction("Label")
-        self.analysis.Label = "Other"
-        self.document.commitTransaction()
-        self.document.undo()
-        self.refuses("Beam was edited and not recomputed")
+    def test_a_part_that_was_recomputed_alone_before_it_was_saved(self):
+        self.part.Length = 50
+        self.document.recompute([self.part])
+        path = self.folder + "/alone.FCStd"
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.analysis, self.mesh = self.document.Analysis, self.document.FeatureMesh
+        self.refuses("is out of date")
+        self.document.recompute()
+        self.assertEqual((self.problem(), self.mesh.FemMesh.BoundBox.XMax), ("", 50))
 
     def test_what_a_panel_left_touched_is_recomputed_in_the_window(self):
         """By no thread of a solver, and not where FreeCAD skips recomputes."""

@@ -106,9 +106,9 @@ class _Observer:
             obj.purgeTouched()
 
     def slotStartSaveDocument(self, document, _):
-        for mesh in _missed_an_edit(document):
-            mesh.Status = OUT_OF_DATE
         for mesh in _meshes_in(document):
+            if mesh.Proxy.is_behind(mesh) and not edited_behind(mesh):   # of which nothing else is saved
+                mesh.Status = OUT_OF_DATE
             mesh.Proxy.keep_state(mesh)
         disk_room.tell_before_saving(document)
         if _meshes_in(document):
@@ -120,7 +120,8 @@ class _Observer:
             document_view.put_back(document, path)
 
     def slotRecomputedObject(self, obj):
-        _left_touched.setdefault(obj.Document.Name, set()).add(obj.Name)
+        if obj.Document.Recomputing or any(versions.part_of(mesh) is obj for mesh in _meshes_in(obj.Document)):   # what is recomputed alone tells nobody
+            _left_touched.setdefault(obj.Document.Name, set()).add(obj.Name)
 
     def slotRecomputedDocument(self, document):
         for mesh in _missed_an_edit(document):

@@ -25,6 +25,7 @@ from .reading import describe, elements_of_today, has_shape, read_document, refu
 from .refusals import no_part, part_to_mesh, refuse_no_size
 from .reports import add_fallback, plain, remarks_of
 from .resolving import CLICKED, Resolver
+from .same_shape import are_the_same
 from .user_words import in_words
 
 translate = FreeCAD.Qt.translate
@@ -49,8 +50,6 @@ class FeatureMesh(Stateless):
         mesh.Proxy = self
         self._forget()
         self._get_ready(mesh)
-
-    # FreeCAD's side
 
     def execute(self, mesh):
         """Called by recompute: updates the mesh, or in manual mode only says that it is out of date."""
@@ -89,17 +88,15 @@ class FeatureMesh(Stateless):
             self._shown = state.checksum_of(mesh.SavedState)
             if mesh.SavedState:
                 self._restore(mesh, opened)
+        if mesh.Automatic and mesh.Status == OUT_OF_DATE:
+            mesh.touch()   # it was saved behind its part
 
     def loads(self, saved):
         self._forget()
 
-    # Meshing
-
     def update(self, mesh, full=False, progress=None):
-        """Meshes the part, locally where the last state allows it (never with `full`). Returns the report.
-
-        When that fails the old mesh stays, Status says why, and the error is raised.
-        """
+        """Meshes the part, locally where the last state allows it (never with `full`). Returns the report. When that fails the old mesh stays, Status says why,
+        and the error is raised."""
         return self._carry_out(mesh, lambda: self.prepare(mesh, full), progress)
 
     def _carry_out(self, mesh, prepare, progress):
@@ -195,7 +192,7 @@ class FeatureMesh(Stateless):
         report = self._report_with_references(mesh, job)
         for shown in shown_by:
             give(shown, self._fem_mesh(mesh, job.part_mesh, job.raw, shown))
-        self._part_mesh, self._raw, self._frame = job.part_mesh, job.raw, job.frame
+        self._part_mesh, self._raw, self._shape, self._frame = job.part_mesh, job.raw, job.shape, job.frame
         mesh.Status = UP_TO_DATE
         return report
 
@@ -233,18 +230,24 @@ class FeatureMesh(Stateless):
         """Why no analysis must be solved on the mesh as it is, as a sentence; "" when it may."""
         if versions.part_of(mesh) is None:
             return in_words(no_part(mesh))
-        status = OUT_OF_DATE if self.missed_an_edit(mesh) else mesh.Status
+        status = OUT_OF_DATE if self.is_behind(mesh) else mesh.Status
         if status == UP_TO_DATE:
             return ""
         if status.startswith(FAILED):
             return translate("FeatureMesh", "%s is not that of the part as it is, its last update failed: %s") % (describe(mesh), in_words(failure_of(mesh)))
         return translate("FeatureMesh", "%s is %s; update it before solving") % (describe(mesh), status_in_words(mesh, status))
 
-    def missed_an_edit(self, mesh):
-        """Is the mesh not that of its part, where one of them is frozen, or what the part is in was moved, without a word from FreeCAD?"""
+    def is_behind(self, mesh):
+        """Is the mesh not that of its part as it is, without a word from FreeCAD? It recomputes a part alone, too."""
         part = versions.part_of(mesh) if is_of_its_part(mesh) and self._shape is not None else None
-        return part is not None and (any(map(versions.is_frozen, (part, mesh))) and not part.Shape.isSame(self._shape)
-                                     or not versions.are_same_place(versions.parent_frame(part), self._frame))
+        if part is not None and are_the_same(part.Shape, self._shape):
+            self._shape = part.Shape   # to look no further the next time
+        return part is not None and not (part.Shape.isSame(self._shape) and versions.are_same_place(versions.parent_frame(part), self._frame))
+
+    def missed_an_edit(self, mesh):
+        """The same where no recompute tells it: one of them is frozen, or what the part is in was moved."""
+        part = versions.part_of(mesh)
+        return self.is_behind(mesh) and (part.Shape.isSame(self._shape) or any(map(versions.is_frozen, (part, mesh))))
 
     def clicked_elsewhere(self, mesh, members):
         """Which member of an analysis was clicked on another copy than the meshed one, as a sentence; "" when none was. FreeCAD's writer of CalculiX input
@@ -258,7 +261,7 @@ class FeatureMesh(Stateless):
 
     def state_of_part(self, mesh):
         """The same when the mesh is that of its part as it is, else ""."""
-        return self.state_of_mesh(mesh) if is_of_its_part(mesh) and not self.missed_an_edit(mesh) else ""
+        return self.state_of_mesh(mesh) if is_of_its_part(mesh) and not self.is_behind(mesh) else ""
 
     def keep_state(self, mesh):
         """To be called before the document is saved: FreeCAD saves nothing of it where the file of the state is gone."""
@@ -401,10 +404,7 @@ class FeatureMesh(Stateless):
             shared.Proxy.renew_groups(shared)
 
     def _old(self, mesh):
-        """What to start from: (the engine's mesh, the saved state to make it from, the reason why there is neither).
-
-        At most one of the three is not None, none for a first mesh.
-        """
+        """What to start from: (the engine's mesh, the saved state to make it from, the reason why there is neither), one of the three, none for a first mesh."""
         if self._part_mesh is None and not mesh.SavedState:
             return None, None, (None if not mesh.FemMesh.NodeCount else said("the document holds no mesh state"))
         if self._has_in_memory(state.checksum_of(mesh.SavedState)):

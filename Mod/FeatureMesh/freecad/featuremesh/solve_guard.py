@@ -14,6 +14,7 @@ import FreeCAD
 from . import analyses, formats, history, materials, references, resolving, results, versions
 from .errors import UserError
 from .hand_over import EntityGroups, is_material
+from .mesh_properties import is_of_its_part
 from .messages import said
 from .proxies import type_of
 from .reading import describe
@@ -41,7 +42,9 @@ def reason(analysis):
     if known and not meshes:
         return translate("FeatureMesh", "%s has no mesh; let it share %s (api.share_mesh), or give it one of its own") % (analysis.Label, known[0].Label)
     for mesh in filter(analyses.is_ours, meshes):
-        problem = mesh.Proxy.why_not_to_solve(mesh) or _why_not_on(analyses.source_of(mesh), analysis)
+        source = analyses.source_of(mesh)
+        is_fresh = source is not None and is_of_its_part(source)
+        problem = is_fresh and not_recomputed(source) or mesh.Proxy.why_not_to_solve(mesh) or _why_not_on(source, analysis)
         if problem:
             return problem
     return _lost(analysis)
@@ -51,7 +54,7 @@ def _why_not_on(mesh, analysis):
     """What of the analysis does not go with a mesh of ours that is up to date."""
     arrays, members = mesh.Proxy.arrays(mesh), analyses.members_of(analysis)
     resolver, entities = resolving.Resolver(versions.part_of(mesh)), EntityGroups(arrays)
-    return not_recomputed(mesh) or mesh.Proxy.clicked_elsewhere(mesh, members) or _without_elements(members, resolver, entities) \
+    return mesh.Proxy.clicked_elsewhere(mesh, members) or _without_elements(members, resolver, entities) \
         or _material_in_doubt(members, resolver, entities) or _without_section(members, resolver, entities, formats.filling_of(arrays)[0]) \
         or _without_trace(members, resolver)
 
