@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The groups by which a solver finds the nodes of loads are where these are, also when undo, redo or a new label came without a recompute."""
 import unittest
+from unittest import mock
 
 import ObjectsFem
 from femmesh import meshtools
-from freecad.featuremesh import api
+from freecad.featuremesh import api, hand_over
 from meshed_plate import MeshedPlate
 from parts import groups_in_freecad, placement
 from test_load_cases import face_across
@@ -83,6 +84,22 @@ class GroupsFollow(MeshedPlate):
             self.assertEqual({name, name + "_Nodes", "Fixed_Nodes", self.right + "_Nodes"}, set(groups_in_freecad(self.mesh)))
         self.document.undo()
         self.assertEqual(self.places("Face1_Nodes"), {60})
+
+    def test_a_mesh_that_comes_while_groups_are_made_has_its_own(self):
+        """The window's timers go on while the engine is asked what a reference means."""
+        in_the_meantime, original = [lambda: api.update_mesh(self.mesh, full=True)], hand_over.analysis_groups
+
+        def asked(*words):
+            found = original(*words)
+            for come in [in_the_meantime.pop()] if in_the_meantime else []:
+                come()
+            return found
+        with mock.patch.object(hand_over, "analysis_groups", asked):
+            self.mesh.Proxy.renew_groups(self.mesh)
+        self.assertEqual(self.mesh.Status, "up to date")
+        now = groups_in_freecad(self.mesh)
+        self.mesh.Proxy.renew_groups(self.mesh)
+        self.assertEqual(now, groups_in_freecad(self.mesh))
 
     def solved_places(self, support):
         """Where along x FreeCAD holds the nodes of a support when it writes CalculiX's input."""

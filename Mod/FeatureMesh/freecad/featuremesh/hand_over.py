@@ -264,8 +264,11 @@ def analysis_groups(mesh, resolver, entities):
 def renew_groups(mesh, resolver, arrays):
     """Makes the groups of mesh group objects and of analysis members in the mesh what they are to be. Those that are so already stay: FreeCAD takes
     milliseconds for one."""
-    fem_mesh, source, entities = mesh.FemMesh, analyses.source_of(mesh), EntityGroups(arrays)
+    source = analyses.source_of(mesh)
+    fem_mesh, entities, state = mesh.FemMesh, EntityGroups(arrays), source.StateName
     groups = _with_those_of_objects([], source, mesh, resolver, entities)
+    if source.StateName != state:   # while the engine was asked what is meant another mesh came, with its own groups
+        return
     missing = {name: (kind, members) for name, kind, members in groups if len(members)}
     for group in fem_mesh.Groups:
         name = fem_mesh.getGroupName(group)
