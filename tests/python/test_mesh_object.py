@@ -82,6 +82,16 @@ class MeshObject(MeshedPlate):
         self.edit()
         self.assertEqual(points_of(self.mesh), reopened)
 
+    def test_lengths_that_a_document_does_not_keep_to_the_last_digit_are_no_others(self):
+        self.mesh.IgnoreBelow = 0.1 / 3
+        self.document.recompute()
+        self.save_and_reopen()
+        self.assertNotEqual(self.mesh.IgnoreBelow.Value, 0.1 / 3)
+        self.mesh.Order, self.mesh.Order = "2nd", "1st"
+        self.assertEqual(self.mesh.Status, mesh_object.UP_TO_DATE)
+        self.edit()
+        self.assertGreater(self.mesh.KeptNodes, 30)
+
     def test_damaged_state_gives_a_full_mesh_and_says_so(self):
         self.save_and_reopen()
         with open(self.mesh.SavedState, "r+b") as stream:

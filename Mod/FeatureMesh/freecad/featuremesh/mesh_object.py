@@ -15,7 +15,7 @@ from .given_mesh import give
 from .job import MeshJob
 from .lost_references import LostReferences
 from .messages import said
-from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, NOT_MESHED, OPTION_OF, OUT_OF_DATE, SETTINGS_CHANGED, UP_TO_DATE, choose_form,
+from .mesh_properties import (AUTOMATIC_SHARE, CANCELLED, FAILED, FROM_SHAPE, NOT_MESHED, OPTION_OF, OUT_OF_DATE, SETTINGS_CHANGED, UP_TO_DATE, as_in_documents, choose_form,
                               differ_from_mesh, failed, failure_of, has_all_elements, is_of_its_part, is_saved_for_freecad, remarks_on_form, settings_of,
                               show_report, status_after, status_in_words)
 from .noted_parts import NotedParts
@@ -592,7 +592,7 @@ def options_of(mesh, part, raw=None, refined=None, settings=None):
     options["local"] = [(name, size) for name, size, _ in refined.local]
     if refined.zones:
         options["zones"] = [wish for wish, _ in refined.zones]
-    return options
+    return as_in_documents(options)
 
 
 def is_cancelled(error):

@@ -137,7 +137,17 @@ def settings_of(mesh):
 
 def differ_from_mesh(mesh, settings):
     """Are these other settings than the mesh was made with? Meshes from before that was written down count as made with them."""
-    return settings != {**_WHAT_OLD_MESHES_HAD, **json.loads(mesh.Report or "{}").get("settings", settings)}
+    return as_in_documents(settings) != as_in_documents({**_WHAT_OLD_MESHES_HAD, **json.loads(mesh.Report or "{}").get("settings", settings)})
+
+
+def as_in_documents(value):
+    """The same with numbers to twelve digits: FreeCAD saves those of lengths to sixteen behind the point, and a mesh is not another one when its document is
+    opened again."""
+    if isinstance(value, float):
+        return float("%.12g" % value)
+    if isinstance(value, dict):
+        return {key: as_in_documents(entry) for key, entry in value.items()}
+    return type(value)(map(as_in_documents, value)) if isinstance(value, (list, tuple)) else value
 
 
 def status_after(mesh, name):
