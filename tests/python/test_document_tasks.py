@@ -225,6 +225,16 @@ class Tasks(unittest.TestCase):
             has_groups = name not in ("stl", "z88")
             self.assertEqual((answer["data"]["groups"] > 5, "groups" in answer["message"]), (has_groups, has_groups), answer["message"])
 
+    def test_what_is_written_of_an_old_mesh_is_told(self):
+        self.mesh()
+        self.assertEqual(self.done(command="export", part=self.part, format="inp", out=self.path("mesh.inp"))["data"]["warnings"], [])
+        document = documents.open_document(self.part)
+        api.find_mesh(document).Automatic = False
+        api.edit(document, "HoleSketch.X=25")
+        documents.save_document(document, self.part)
+        warning, = self.done(command="export", part=self.part, format="inp", out=self.path("mesh.inp"))["data"]["warnings"]
+        self.assertRegex(warning, "^These are the elements of the last mesh: out of date")
+
     def test_abaqus_surfaces_have_the_area_of_the_faces(self):
         self.mesh()
         self.done(command="export", part=self.part, format="inp", out=self.path("mesh.inp"))

@@ -20,7 +20,7 @@ from .about import facts
 from .errors import NotSelected, StateError, UserError
 from .messages import of_error, said
 from .mesh_object import FeatureMesh, is_feature_mesh, options_of, refuse_other
-from .mesh_properties import DIMENSIONS, FROM_SHAPE
+from .mesh_properties import DIMENSIONS, FROM_SHAPE, what_it_is_of
 from .refusals import all_or_nothing, finite_length, length_of, measure_of, pairs_given, part_to_mesh, refuse_no_document, refuse_no_size
 from .reports import plain
 
@@ -355,7 +355,10 @@ def export_mesh(mesh, path, file_format=None):
     """Writes the mesh with its groups as one of export.FORMATS (by default what the file's name says). Returns the number of groups."""
     refuse_other(mesh)
     path = os.fsdecode(path)
-    return export.write(mesh, path, file_format or os.path.splitext(path)[1].lstrip("."))
+    groups = export.write(mesh, path, file_format or os.path.splitext(path)[1].lstrip("."))
+    if what_it_is_of(mesh):
+        FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, what_it_is_of(mesh)))
+    return groups
 
 
 def transfer_field(old, new, values):

@@ -169,6 +169,12 @@ def status_in_words(obj, status=None):
     return FreeCAD.Qt.translate("FeatureMesh", status)
 
 
+def what_it_is_of(mesh):
+    """That the mesh is not that of its part as it is, as a sentence in the user's language; "" when it is."""
+    status = OUT_OF_DATE if mesh.Proxy.is_behind(mesh) else mesh.Status
+    return "" if status == UP_TO_DATE else FreeCAD.Qt.translate("FeatureMesh", "These are the elements of the last mesh: %s") % status_in_words(mesh, status)
+
+
 def failed(obj, error):
     """The Status of an object whose work ended with an error, in English; its message is kept for status_in_words."""
     obj.Failure = json.dumps(messages.of_error(error))

@@ -10,7 +10,7 @@ import traceback
 from . import about, analyses, api, documents, engine, reading, tables, versions, whole_file
 from .errors import UserError
 from .transfer import find_result
-from .mesh_properties import FROM_SHAPE, element_count
+from .mesh_properties import FROM_SHAPE, element_count, what_it_is_of
 from .messages import english, in_english, of_error, said
 from .reports import add_fallback, plain
 from .quality import MEASURES
@@ -114,7 +114,8 @@ def export(task):
     """Writes a document's mesh to another format."""
     document = documents.open_document(task["part"])
     obj = api.find_mesh(document, task.get("object"))
-    data = {"groups": api.export_mesh(obj, task["out"], task["format"]), "nodes": obj.FemMesh.NodeCount, "tets": obj.TetCount}
+    data = {"groups": api.export_mesh(obj, task["out"], task["format"]), "nodes": obj.FemMesh.NodeCount, "tets": obj.TetCount,
+            "warnings": _what_it_is_of(obj)}
     groups = ", %d groups" % data["groups"] if data["groups"] else ""
     return "wrote %s (%d nodes, %d elements%s)" % (_shown(task["out"]), data["nodes"], data["tets"], groups), data
 
@@ -132,7 +133,7 @@ def picture(task):
     overlay = api.draw_quality(obj, task["out"], task["quality"], limits, task.get("cut"), bool(task.get("filled")))
     kind = MEASURES[task["quality"]]
     data = {"least": float(overlay.values.min()), "mean": float(overlay.values.mean()), "greatest": float(overlay.values.max()),
-            "beyond": kind.count_bad(overlay.values, limits), "tets": len(overlay.values)}
+            "beyond": kind.count_bad(overlay.values, limits), "tets": len(overlay.values), "warnings": _what_it_is_of(obj)}
     return "wrote %s (%s from %s to %s, mean %s; %d of %d elements beyond the limit)" % (
         _shown(task["out"]), kind.title, *(kind.in_words(data[name]) for name in ("least", "greatest", "mean")), data["beyond"], data["tets"]), data
 
@@ -213,6 +214,11 @@ COMMANDS = {"renumber": renumber, "transfer": transfer, "mesh": mesh, "adopt": a
 def is_users_fault(error):
     """Is it the engine's word that what was given cannot be meshed, or read, rather than a failure of ours?"""
     return isinstance(error, (engine.load().InputError, engine.load().StateError))
+
+
+def _what_it_is_of(mesh):
+    """A warning where the mesh is not that of its part as it is."""
+    return list(filter(None, [what_it_is_of(mesh)]))
 
 
 def _save(document, task, report):

@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the panels share that show a mesh's elements in colours: the cut, following the mesh, and an end with the mesh."""
 
-import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import mesh_object, view_provider
+from .. import view_provider
 from ..errors import UserError
+from ..mesh_properties import what_it_is_of
 from ..messages import of_error
 from ..user_words import in_words
 from . import narrow, showing, wheel
 from .closes_with_object import ClosesWithObject
 from .cut_box import CutBox
-
-translate = FreeCAD.Qt.translate
 
 
 class OverlayPanel(ClosesWithObject):
@@ -81,9 +79,7 @@ class OverlayPanel(ClosesWithObject):
         return True
 
     def _show(self, said=""):
-        if not said and self.mesh.Status != mesh_object.UP_TO_DATE:
-            said = translate("FeatureMesh", "These are the elements of the last mesh: %s") % mesh_object.status_in_words(self.mesh)
-        self.note.setText(said)
+        self.note.setText(said or what_it_is_of(self.mesh))
         if self.overlay is not None:
             self.cut.set_box(self.overlay.points)
         self.fill()
