@@ -17,8 +17,8 @@ import numpy as np  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from pivy import coin  # noqa: E402
-from PySide import QtGui  # noqa: E402
-from window import figures, panel, picture, pixels, spin, wait_for  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
+from window import figures, panel, picture, pixels, send_key, spin, wait_for  # noqa: E402
 
 
 def count_of(colour, seen, spread=0.18):
@@ -272,6 +272,18 @@ def check_copy_of_document(document, mesh):
     spin()
 
 
+def check_keyboard():
+    """A panel has the keyboard as soon as it is open, so that Escape closes it."""
+    Gui.getMainWindow().activateWindow()
+    wait_for(Gui.getMainWindow().isActiveWindow)
+    for command, kind in (("ShowKept", "KeptPanel"), ("ShowQuality", "QualityPanel"), ("AddSizeZone", "ZonePanel"), ("Study", "StudyPanel")):
+        shown = show("FeatureMesh_" + command, kind)
+        field = QtGui.QApplication.focusWidget()
+        assert field is not None and shown.form.isAncestorOf(field), (command, field)
+        send_key(field, QtCore.Qt.Key_Escape)
+        wait_for(lambda: not Gui.Control.activeDialog(), 10)
+
+
 def check_many(path):
     """Seconds of the processor until many elements are shown in colours, and for each step of a drag, against the number of them."""
     document = FreeCAD.openDocument(path)
@@ -319,6 +331,7 @@ def drive():
     document.openTransaction("Move the hole")
     move_hole(document, 26)
     document.commitTransaction()
+    check_keyboard()
     check_kept(document, mesh)
     shown = check_quality(document, mesh)
     check_cut(shown, mesh)

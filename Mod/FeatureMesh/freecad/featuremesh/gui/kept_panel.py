@@ -26,7 +26,7 @@ class KeptPanel(OverlayPanel):
             legend.addWidget(self.labels[-1], row, 1)
         legend.setColumnStretch(1, 1)
         self.layout.addLayout(legend)
-        self.start()
+        self.start(self.cut)
 
     def make_overlay(self):
         return overlays.kept(self.mesh)

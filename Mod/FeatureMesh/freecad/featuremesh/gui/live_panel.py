@@ -52,7 +52,7 @@ class LivePanel(ClosesWithObject):
         layout.addLayout(self._fields_in_a_form())
         for widget in (self.legend, self.grey, self.largest, self.cut):
             layout.addWidget(widget)
-        wheel.scrolls(self.form)
+        wheel.scrolls(self.form, self.field)
         self._set_fields()
         self._later = QtCore.QTimer()
         self._later.setSingleShot(True)

@@ -64,18 +64,9 @@ def margins(layout):
 class Form(QtGui.QWidget):
     """The form of a panel with OK, Cancel and Apply above it, which FreeCAD shows with it."""
 
-    keeper = None       # of the wheel
-    first_fields = ()   # of those the first that can be used has the keyboard when the panel is shown first
-
     def showEvent(self, event):
         super().showEvent(event)
-        QtCore.QTimer.singleShot(0, self._shown)
-
-    def _shown(self):
-        buttons()
-        for field in [field for field in self.first_fields if field.isEnabled()][:1]:
-            self.keeper.give_keyboard(field)
-        self.first_fields = ()
+        QtCore.QTimer.singleShot(0, buttons)
 
 
 def buttons():

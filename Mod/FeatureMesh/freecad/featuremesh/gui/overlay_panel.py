@@ -31,11 +31,11 @@ class OverlayPanel(ClosesWithObject):
         self._later.setSingleShot(True)
         self._later.timeout.connect(self.refresh)
 
-    def start(self):
-        """To be called when the panel's own widgets are there. Throws UserError when there is nothing to show."""
+    def start(self, first_field):
+        """To be called when the panel's own widgets are there; that one has the keyboard first. Throws UserError when there is nothing to show."""
         self.layout.addWidget(self.cut)
         self.layout.addWidget(self.note)
-        wheel.scrolls(self.form)
+        wheel.scrolls(self.form, first_field)
         self.overlay = self.make_overlay()
         Gui.Selection.clearSelection()   # what is selected is drawn in one colour
         self._seen_before = showing.show_elements(self.mesh)

@@ -59,7 +59,7 @@ class QualityPanel(OverlayPanel):
             box.setRange(-1e6, 1e6)
             box.setKeyboardTracking(False)
         self._set_limits()
-        self.start()
+        self.start(self.measure)
         self.measure.currentIndexChanged.connect(lambda _: self._take_measure())
         self.bad.valueChanged.connect(lambda _: self.refresh())
         self.good.valueChanged.connect(lambda _: self.refresh())

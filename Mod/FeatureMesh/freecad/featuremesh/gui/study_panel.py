@@ -57,7 +57,7 @@ class StudyPanel(ClosesWithObject):
         self.run_button, self.go_on_button = QtGui.QPushButton(), QtGui.QPushButton(translate("FeatureMesh", "Go on"))
         self.results_button = QtGui.QPushButton(translate("FeatureMesh", "Results"))
         self._lay_out()
-        wheel.scrolls(self.form)
+        wheel.scrolls(self.form, self.dimensions)
         self.responses.itemChanged.connect(lambda _: self._take())
         self.run_button.clicked.connect(self._press)
         self.go_on_button.clicked.connect(self._go_on)

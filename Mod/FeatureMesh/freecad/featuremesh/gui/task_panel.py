@@ -130,8 +130,7 @@ class MeshPanel:
         for label in (self.estimate, self.status, self.result):
             label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         layout.addStretch()
-        self.form.keeper = wheel.scrolls(self.form)
-        self.form.first_fields = self.size, self.min_automatic, self.dimension
+        wheel.scrolls(self.form, self.size, self.min_automatic, self.dimension)
 
     def _close_driven_fields(self):
         driven.close(self.mesh, {

@@ -34,7 +34,7 @@ class ZonePanel:
         self.form.setWindowIcon(drawn_icon("FeatureMesh_AddSizeZone"))
         self._build()
         self._close_driven_fields()
-        wheel.scrolls(self.form)
+        wheel.scrolls(self.form, self.kind, *self.lengths.values())
         self._show_rows()
 
     def _build(self):
