@@ -188,6 +188,23 @@ class Assembly(InADocument):
         self.assertIn("it is heard", said)
         self.assertNotIn("scope", said)
 
+    def test_that_parts_touch_is_said_once(self):
+        container = self.document.addObject("App::Part", "Frame")
+        plate, left, right = (self.document.addObject("Part::Box", name) for name in ("Plate", "Left", "Right"))
+        plate.Length, plate.Width, plate.Height = 60, 40, 10
+        for column, x in ((left, 0), (right, 40)):
+            column.Length, column.Width, column.Height, column.Placement = 20, 40, 30, placement(x, 0, 10)
+        for box in (plate, left, right):
+            container.addObject(box)
+        self.document.recompute()
+        mesh = self.meshed(container, 5)
+        before = json.loads(mesh.Report)["warnings"]
+        left.Length = 22
+        said = said_by_freecad(self.document.recompute)
+        self.assertNotEqual(json.loads(mesh.Report)["warnings"], before, "other faces, or the same in another order")
+        self.assertEqual(len(warnings_of_contact(mesh)), 1)
+        self.assertNotIn("touch", said)
+
     def test_a_part_that_is_hidden_placed_or_in_a_container_in_it_counts(self):
         outer, inner = (self.document.addObject("App::Part", name) for name in ("Outer", "Inner"))
         outer.addObject(inner)

@@ -23,7 +23,7 @@ from .numbering import Numbering
 from .proxies import Stateless
 from .reading import describe, elements_of_today, has_shape, read_document, refuse_gone, shape_of_record, with_elements
 from .refusals import no_part, part_to_mesh, refuse_no_size
-from .reports import add_fallback, plain, remarks_of
+from .reports import add_fallback, news_of, plain, remarks_of
 from .resolving import CLICKED, Resolver
 from .same_shape import are_the_same
 from .user_words import in_words
@@ -164,9 +164,8 @@ class FeatureMesh(Stateless):
         start = time.perf_counter()
         report = self._report_with_references(mesh, job)
         known = remarks_of(json.loads(mesh.Report or "{}")) + list(self._elsewhere.values())
-        for line in remarks_of(report):
-            if line not in known:   # what the last mesh said, too, has been read
-                FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, in_words(line)))
+        for line in news_of(report, known):
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (mesh.Label, in_words(line)))
         for analysis in analyses.holding(mesh):
             results.note(analysis)   # of a document from before results were noted: on the mesh as it was
         for hook in on_new_mesh:

@@ -16,6 +16,17 @@ def remarks_of(report):
     return ([report["fallback"]] if report.get("fallback") else []) + report.get("warnings", [])
 
 
+def news_of(report, known):
+    """What a report says that the user should know and these remarks, which have been read, did not tell. Solids that touch go on to do so with other faces, or
+    with the same in another order."""
+    told = list(map(_what_is_told, known))
+    return [line for line in remarks_of(report) if _what_is_told(line) not in told]
+
+
+def _what_is_told(line):
+    return line["parameters"]["solids"] if is_message(line) and line.get("code") == "solids_touch" else line
+
+
 def with_details_in_one(warnings):
     """The engine's warnings with those about the vertices, edges and faces of ignored details in one line, in place of the first of them."""
     about = {line["code"]: line for line in warnings if line["code"] in _OF_DETAILS}
