@@ -13,8 +13,8 @@ import FreeCADGui as Gui  # noqa: E402
 import Mesh  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
-from PySide import QtGui  # noqa: E402
-from window import answer_with, click_in_panel, figures, panel, picture, spin, wait_for  # noqa: E402
+from PySide import QtCore, QtGui  # noqa: E402
+from window import answer_with, click_in_panel, double_click, figures, item_of_tree, panel, picture, press_at, send_key, spin, wait_for  # noqa: E402
 
 
 def select(*entries):
@@ -414,6 +414,30 @@ def check_overtaken_while_new(document, body):
     assert "FeatureMesh001" not in [obj.Name for obj in document.Objects]
 
 
+def check_name_not_changed(document, part, mesh):
+    """FreeCAD leaves a step of undo open where a name in the tree was to be changed and was not. What is done next is in it, and stays when the panel opens."""
+    Gui.getMainWindow().activateWindow()
+    wait_for(Gui.getMainWindow().isActiveWindow)
+    tree, place = item_of_tree(part.Label)
+    press_at(tree, place)
+    send_key(tree.parent(), QtCore.Qt.Key_F2)
+    wait_for(lambda: isinstance(QtGui.QApplication.focusWidget(), QtGui.QLineEdit), 10)
+    Gui.getMainWindow().centralWidget().setFocus()   # as a click there
+    spin()
+    assert FreeCAD.getActiveTransaction() is not None
+    height = part.Height.Value + 1
+    part.Height = height
+    document.recompute()
+    double_click(*item_of_tree(mesh.Label))
+    wait_for(Gui.Control.activeDialog)
+    spin()
+    assert part.Height.Value == height and panel("MeshPanel").mesh is mesh, part.Height
+    close_panel()
+    document.undo()
+    document.recompute()
+    assert part.Height.Value == height - 1, part.Height
+
+
 def check_frozen(document, part, mesh):
     """A script sets the length of a part that FreeCAD's command froze: the shape changes, and FreeCAD asks for no recompute."""
     select((part,))
@@ -447,6 +471,7 @@ def drive():
     check_which_mesh(two, meshes, second)
     check_by_hand(two)
     check_part_deleted(two, meshes[0])
+    check_name_not_changed(two, two.Box, two.FeatureMesh)
     if versions.version() >= (1, 1):   # 1.0 tells nobody what is frozen
         check_frozen(two, two.Box, two.FeatureMesh)
     FreeCAD.closeDocument(two.Name)

@@ -31,7 +31,8 @@ class EditedInPanel(View):
         document = Gui.getDocument(view.Object.Document)
         edited = document.getInEdit()
         if not Gui.Control.activeDialog():
-            FreeCAD.closeActiveTransaction(True)   # FreeCAD's own step of undo, of what the panel only shows or hides
+            # FreeCAD's own step of undo, of what the panel only shows or hides. What was done before may be in one that FreeCAD had left open.
+            FreeCAD.closeActiveTransaction(not any(opened.HasPendingTransaction for opened in FreeCAD.listDocuments().values()))
             document.setEdit(view.Object.Name)
         elif edited is None or edited.Object is not view.Object:
             errors.show(UserError(said("{object:text} cannot be opened while a panel is open; close that first", object=view.Object.Label)))
