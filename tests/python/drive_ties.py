@@ -91,6 +91,23 @@ def is_on_both(tie):
     return len(faces) == 2 and all(abs(face.CenterOfMass.z - HEIGHT) < 1e-6 for face in faces)
 
 
+def check_seen_after_panel(tie, mesh, made):
+    """FEM's panel shows what its list refers to, and we the parts to click on; after it that is seen which was before."""
+    from freecad.featuremesh import versions
+    places = versions.part_of(mesh), made, mesh
+    for seen in (mesh, made):
+        for obj in places:
+            obj.ViewObject.Visibility = obj is seen
+        for button in ("Cancel", "Ok"):
+            tie.ViewObject.doubleClicked()
+            wait_for(Gui.Control.activeDialog)
+            spin(1)
+            click_in_panel(button)
+            wait_for(lambda: not Gui.Control.activeDialog())
+            spin()
+            assert [obj for obj in places if obj.ViewObject.Visibility] == [seen], (button, seen.Label, [obj.Label for obj in places if obj.ViewObject.Visibility])
+
+
 def check_stiffness(analysis, upper):
     """The tower is as stiff as two columns, one on the other."""
     from freecad.featuremesh import api
@@ -116,6 +133,7 @@ def drive():
     mesh = mesh_by_hand(document, made)
     assert is_on_both(tie), tie.References
     picture("ties_meshed")
+    check_seen_after_panel(tie, mesh, made)
     for height in (HEIGHT, 30):
         upper.Height = height
         document.recompute()

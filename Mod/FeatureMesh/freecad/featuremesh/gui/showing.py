@@ -34,7 +34,9 @@ def show_to_click(obj):
             seen = [other for other in covering if other.ViewObject.Visibility]
             is_hidden = not shown.ViewObject.Visibility
             if (is_hidden or seen) and _is_about(obj, mesh):
-                back = [*seen, *([] if any(map(_is_seen, seen)) else [mesh])]
+                back = [other for other in seen if not assembled.is_assembled(other)]   # that was shown by FEM's panel for its time
+                if not any(map(_is_seen, back)) and (back or is_hidden):
+                    back.append(mesh)
                 _set_visible([shown], True)
                 _set_visible([mesh, *seen], False)
                 before += [(obj.Document.Name, other.Name, other is not shown) for other in ([shown] if is_hidden else []) + back]
