@@ -361,6 +361,22 @@ TEST_CASE("a vertex at which all edges are too short has no node of its own, and
     CHECK(euler_characteristic(mesh) == 2);
 }
 
+TEST_CASE("of vertices in a row, each near the next, all stand for themselves or are merged with one that does") {
+    std::vector<std::array<double, 2>> outline{{0, 0}, {30, 0}, {30, 20}};
+    for (int i = 0; i < 9; ++i) outline.push_back({20 - 0.07 * i, 20 + 0.005 * (i % 2)});
+    outline.push_back({0, 20});
+    const Brep brep(prism(outline, 10));
+    const MergedEntities merged(brep, 0.1);
+    std::size_t moved = 0;
+    for (std::size_t v = 0; v < brep.vertex_count(); ++v) {
+        const VertexId with = merged.vertex_of[v];
+        CHECK(merged.vertex_of[with.index()] == with);
+        CHECK(distance(brep.point_of(VertexId(v)), brep.point_of(with)) <= 0.1);
+        moved += with != VertexId(v);
+    }
+    CHECK(moved >= 6);
+}
+
 TEST_CASE("nothing is merged in a plain shape, with seams and closed edges") {
     for (const NamedShape& s : named_shapes()) {
         INFO(s.name);
