@@ -378,6 +378,20 @@ TEST_CASE("overlapping solids of the final shape are reported") {
     CHECK(model.report.findings[0].in_english().find("overlap by 125") != std::string::npos);
 }
 
+TEST_CASE("a solid inside another one is counted twice, in either order, and nothing there is empty") {
+    for (const bool is_inner_first : {true, false}) {
+        const TopoDS_Shape outer = box(0, 0, 0, 10, 10, 10), inner = box(3, 3, 3, 4, 4, 4);
+        const FeatureTree tree = is_inner_first ? compound_of(inner, outer) : compound_of(outer, inner);
+        RunContext context;
+        const CellModel model = build_cells(tree, Brep(tree.final_shape), context);
+        CHECK(model.report.fallbacks.empty());
+        CHECK(model.report.material_volume == Approx(1000));
+        CHECK(material_of(model) == Approx(1000));
+        REQUIRE(model.report.findings.size() == 1);
+        CHECK(model.report.findings[0].in_english().find("overlap by 64") != std::string::npos);
+    }
+}
+
 TEST_CASE("a volume that crosses itself is replaced by what changed between before and after") {
     // Two solids of one volume that overlap: their cells cannot add up to it.
     TopoDS_Compound twice;
