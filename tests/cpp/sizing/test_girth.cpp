@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sizing/girth.h"
 
+#include <BRepAdaptor_Curve.hxx>
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <GC_MakeSegment.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Circle.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
+#include <array>
 #include <gp_Circ.hxx>
 #include <numbers>
 
@@ -105,6 +113,36 @@ TEST_CASE("what has material around it, or on both sides of a small part of a ci
     CHECK(smallest_of(holed_in_quarters, coarse(100)) == Approx(10));
     CHECK(warnings_of_thin_rods(holed, coarse(100)).empty());
     CHECK(warnings_of_thin_rods(rounded, coarse(100)).empty());
+}
+
+TEST_CASE("a rim that is rounded and a bar with straight sides are no rods, whatever their surfaces are") {
+    SizingOptions plain = coarse(30);
+    plain.elements_per_circle = 0, plain.refines_narrow_faces = false;
+    const gp_Circ circle(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 10);
+    BRepBuilderAPI_MakeWire border, square;
+    for (int i = 0; i < 4; ++i)
+        border.Add(BRepBuilderAPI_MakeEdge(circle, i * 0.25 * round_one, (i + 1) * 0.25 * round_one));
+    const TopoDS_Shape disk =
+        BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(border.Wire()).Face(), gp_Vec(0, 0, 40)).Shape();
+    BRepFilletAPI_MakeFillet fillet(disk);
+    for (TopExp_Explorer it(disk, TopAbs_EDGE); it.More(); it.Next()) {
+        const BRepAdaptor_Curve curve(TopoDS::Edge(it.Current()));
+        if (curve.GetType() == GeomAbs_Circle && curve.Value(curve.FirstParameter()).Z() > 39)
+            fillet.Add(1, TopoDS::Edge(it.Current()));
+    }
+    const Brep rounded(fillet.Shape());
+    for (std::size_t f = 0; f < rounded.face_count(); ++f)
+        if (const BRepAdaptor_Surface surface(rounded.face(FaceId(f)), false); surface.GetType() == GeomAbs_Torus)
+            CHECK_FALSE(Girth::of(rounded, FaceId(f), surface).has_value());
+
+    const std::array<gp_Pnt, 4> corners{gp_Pnt(1, 1, 0), gp_Pnt(-1, 1, 0), gp_Pnt(-1, -1, 0), gp_Pnt(1, -1, 0)};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Handle(Geom_TrimmedCurve) line = GC_MakeSegment(corners[i], corners[(i + 1) % 4]).Value();
+        square.Add(BRepBuilderAPI_MakeEdge(GeomConvert::CurveToBSplineCurve(line)));
+    }
+    const Brep bar(BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(square.Wire()).Face(), gp_Vec(0, 0, 100)).Shape());
+    CHECK(smallest_of(bar, plain) == 30);
+    CHECK(warnings_of_thin_rods(bar, plain).empty());
 }
 
 TEST_CASE("the report says once where elements are smaller than asked because of a thin rod") {
