@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <numeric>
 
 #include "catch.h"
@@ -62,4 +63,30 @@ TEST_CASE("shares of area and length sum to the whole, mid-side nodes having wha
         const auto lengths = length_shares(mesh, segments);
         CHECK(std::accumulate(lengths.begin(), lengths.end(), 0.0) == Approx(30));
     }
+}
+
+TEST_CASE("a bent side is as long, and a bulged one as large, as its halves and quarters together") {
+    Mesh mesh = solved_box(1, 2);
+    const std::array<NodeId, 2> ends = mesh.segments[0];
+    const NodeId mid = mesh.segment_mids[0];
+    mesh.points[mid.index()] += Vec3{0.1, 0.2, 0.3};
+    const std::vector<std::int32_t> segment{0};
+    const auto lengths = length_shares(mesh, segment);
+    const double bent = distance(mesh.point(ends[0]), mesh.point(mid)) + distance(mesh.point(mid), mesh.point(ends[1]));
+    CHECK(std::accumulate(lengths.begin(), lengths.end(), 0.0) == Approx(bent));
+    CHECK(bent > 1.01 * distance(mesh.point(ends[0]), mesh.point(ends[1])));
+
+    const auto side = triangles_of(mesh, 1);
+    for (const std::int32_t t : side)
+        for (const NodeId n : mesh.triangle_mids[std::size_t(t)]) mesh.points[n.index()].x += 0.2;
+    double bulged = 0;
+    for (const std::int32_t t : side) {
+        const auto& [a, b, c] = mesh.triangles[std::size_t(t)];
+        const auto& [ab, bc, ca] = mesh.triangle_mids[std::size_t(t)];
+        for (const auto& [i, j, k] : {std::array{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}})
+            bulged += 0.5 * length(cross(mesh.point(j) - mesh.point(i), mesh.point(k) - mesh.point(i)));
+    }
+    const auto areas = area_shares(mesh, side);
+    CHECK(std::accumulate(areas.begin(), areas.end(), 0.0) == Approx(bulged));
+    CHECK(bulged > 1.01);
 }
