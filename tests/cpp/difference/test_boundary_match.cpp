@@ -2,18 +2,27 @@
 #include "difference/boundary_match.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRep_Builder.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Wire.hxx>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
 
 #include "brep/brep.h"
 #include "catch.h"
 #include "difference/edge_difference.h"
+#include "difference/place_partners.h"
 #include "difference/volume_faces.h"
 
 using namespace featuremesh;
@@ -75,6 +84,68 @@ TEST_CASE("nothing changed between equal boundaries, in place or moved") {
     RigidMotion motion;
     motion.translation = {3, -2, 1};
     CHECK(count_unchanged(matched(block(), BRepBuilderAPI_Transform(block(), shift, true).Shape(), motion)) == 6);
+}
+
+TEST_CASE("nothing changed where a part lies off by less than the tolerance") {
+    gp_Trsf little;
+    little.SetTranslation(gp_Vec(6e-8, -5e-8, 5e-8));
+    const BoundaryMatch match = matched(drilled(2), BRepBuilderAPI_Transform(drilled(2), little, true).Shape());
+    CHECK(match.groups.size() == 7);
+    CHECK(count_unchanged(match) == 7);
+    for (const VertexId v : match.new_vertex_of) CHECK(v.is_valid());
+}
+
+TEST_CASE("a circle that begins a little before another one is no other border") {
+    const auto cylinder = [](double x, double turn) {
+        const gp_Ax2 place(gp_Pnt(x, 5, 0), gp::DZ(), gp_Dir(std::cos(turn), std::sin(turn), 0));
+        return BRepPrimAPI_MakeCylinder(place, 2, 8).Shape();
+    };
+    const auto with_two = [&](double x, double turn) {
+        return BRepAlgoAPI_Fuse(BRepAlgoAPI_Fuse(block(), cylinder(4, turn)).Shape(), cylinder(x, 0)).Shape();
+    };
+    for (const double turn : {-1e-8, 1e-8}) {
+        const Brep was(with_two(14, 0)), is(with_two(16, turn));
+        std::size_t kept = 0;
+        for (const FaceChange& change : faces_in_place(was, is, {})) {
+            if (!change.old_face.is_valid() || was.box_of(change.old_face).low.z < 7) continue;
+            kept += change.verdict == BoundaryVerdict::kept;
+        }
+        CHECK(kept == 1);
+    }
+}
+
+TEST_CASE("where a border goes on as a line between two faces, the border alone is one of what changed") {
+    const TopoDS_Shape beside = BRepPrimAPI_MakeBox(gp_Pnt(0, 10, 0), 8, 10, 5).Shape();
+    const BoundaryMatch match =
+        matched(BRepAlgoAPI_Fuse(block(), beside).Shape(), BRepPrimAPI_MakeBox(20, 20, 5).Shape());
+    std::array<double, 2> lengths{};  // on the line y = 10, z = 5: of lines inside, of borders
+    for (const SurfaceGroup& group : match.groups)
+        for (const ChangedPiece& piece : group.pieces) {
+            const UnderlyingCurve& curve = match.curves[std::size_t(piece.curve)];
+            const Vec3 p = point_at(curve, piece.first), q = point_at(curve, piece.last);
+            const bool is_on_top = group.new_faces.size() == 1 && group.old_faces.size() == 2;
+            if (is_on_top && p.y == Approx(10) && q.y == Approx(10) && p.z == Approx(5) && q.z == Approx(5))
+                lengths[piece.is_border] += distance(p, q);
+        }
+    CHECK(lengths[0] == Approx(8));
+    CHECK(lengths[1] == Approx(12));
+}
+
+TEST_CASE("a line drawn into a face has changed, but is no border") {
+    const gp_Pnt corners[]{gp_Pnt(0, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(20, 10, 0), gp_Pnt(0, 10, 0)};
+    const auto sheet = [&] {
+        return BRepBuilderAPI_MakeFace(
+                   BRepBuilderAPI_MakePolygon(corners[0], corners[1], corners[2], corners[3], true).Wire())
+            .Face();
+    };
+    TopoDS_Face drawn = sheet();
+    const TopoDS_Wire line = BRepBuilderAPI_MakePolygon(gp_Pnt(5, 5, 0), gp_Pnt(15, 5, 0)).Wire();
+    BRep_Builder().Add(drawn, line.Oriented(TopAbs_INTERNAL));
+    const BoundaryModel old_model{Brep(sheet(), Dimension::faces)}, new_model{Brep(drawn, Dimension::faces)};
+    const BoundaryMatch match = match_boundaries({old_model, new_model, {}, std::nullopt, {1e-7, {10, 5, 2}, 30}});
+    REQUIRE(match.groups.size() == 1);
+    REQUIRE(match.groups[0].pieces.size() == 1);
+    CHECK_FALSE(match.groups[0].pieces[0].is_border);
 }
 
 TEST_CASE("a hole changes the two faces that it opens and adds its own") {

@@ -133,6 +133,33 @@ TEST_CASE("What changes in a sheet beside a solid leaves the solid's mesh, and t
     CHECK(kept == shells);
 }
 
+TEST_CASE("A solid that moves beside a sheet takes its mesh along, and leaves no node behind where the sheet ends") {
+    const auto part = [](double x, double end) {
+        PartDocument document;
+        document.box("Block", {0, 0, 0}, {20, 20, 10}).box("Slide", {x, 40, 0}, {20, 15, 10});
+        const TopoDS_Shape sheet = BRepBuilderAPI_MakeFace(
+            BRepBuilderAPI_MakePolygon(gp_Pnt(20, 0, 5), gp_Pnt(end, 0, 5), gp_Pnt(end, 20, 5), gp_Pnt(20, 20, 5), true)
+                .Wire());
+        document.add("Sheet", "Part::Feature", sheet);
+        return document
+            .add("All", "Part::Compound", joined({document.shape("Block"), document.shape("Slide"), sheet}),
+                 {{"Links", "Block", ""}, {"Links", "Slide", ""}, {"Links", "Sheet", ""}})
+            .finish();
+    };
+    const int order = GENERATE(1, 2);
+    const PartMeshResult before = meshed(part(0, 50), options_of(4, order));
+    const PartMeshResult now = updated(*before.part_mesh, part(30, 46), options_of(4, order));
+    check_sound(*now.part_mesh);
+    CHECK(now.report.fallbacks.empty());
+    CHECK(now.report.kept_tets_share == 1);
+    const Mesh &was = before.part_mesh->mesh, &is = now.part_mesh->mesh;
+    CHECK(is.tet_numbers == was.tet_numbers);
+    std::set<NodeId> used;
+    for (const auto& tet : is.tets) used.insert(tet.begin(), tet.end());
+    for (const auto& triangle : is.triangles) used.insert(triangle.begin(), triangle.end());
+    CHECK(used.size() == is.corner_count);
+}
+
 TEST_CASE("Of a solid with a sheet only the solid is meshed where solids are asked for") {
     RunContext context;
     const PartMeshResult solids = mesh_part(block_sheet_and_post(10, 50), options_of(4, 1, Dimension::solids), context);
