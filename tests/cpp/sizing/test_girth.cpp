@@ -9,6 +9,7 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
@@ -26,6 +27,7 @@
 #include <array>
 #include <gp_Circ.hxx>
 #include <numbers>
+#include <utility>
 
 #include "catch.h"
 
@@ -98,6 +100,25 @@ TEST_CASE("rods that bend or become thinner have six elements round them everywh
         const double radius = 1 - 0.5 * share;
         CHECK(field.at({radius, 0, 1000 * share}) == Approx(round_one * radius / 6).epsilon(0.05));
     }
+}
+
+TEST_CASE(
+    "rods of several curved faces that become thinner have six elements round their thin end, if that is no tip") {
+    const auto tapered = [](double radius) {
+        BRepOffsetAPI_ThruSections loft(true, true);
+        for (const auto& [z, r] : {std::pair(0.0, 1.0), std::pair(100.0, radius)}) {
+            const gp_Circ circle(gp_Ax2(gp_Pnt(0, 0, z), gp_Dir(0, 0, 1)), r);
+            BRepBuilderAPI_MakeWire wire;
+            for (int i = 0; i < 4; ++i)
+                wire.Add(BRepBuilderAPI_MakeEdge(circle, i * 0.25 * round_one, (i + 1) * 0.25 * round_one));
+            loft.AddWire(wire.Wire());
+        }
+        return Brep(loft.Shape());
+    };
+    SizingOptions plain = coarse(50);
+    plain.elements_per_circle = 0, plain.refines_narrow_faces = false;
+    CHECK(smallest_of(tapered(0.5), plain) == Approx(0.5 * round_one / 6).epsilon(1e-3));
+    CHECK(smallest_of(tapered(0.05), plain) == Approx(0.25 * round_one / 6).epsilon(1e-3));
 }
 
 TEST_CASE("what has material around it, or on both sides of a small part of a circle, is no rod") {
