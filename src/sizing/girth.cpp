@@ -210,13 +210,10 @@ std::optional<Girth> Girth::of(const Brep& brep, FaceId face, const BRepAdaptor_
     BRepTools::UVBounds(brep.face(face), u[0], u[1], v[0], v[1]);
     const double mu = at_share(u, 0.5), mv = at_share(v, 0.5);
     if (!closes && (type != GeomAbs_Cylinder || !is_half_of_rod(brep, face, surface))) {
-        std::optional<Lap> least;
-        for (const EdgeId edge : brep.edges_of(face))
-            if (const auto lap = lap_of(brep, strips_from(brep, face, edge));
-                lap && (!least || lap->longer < least->longer))
-                least = lap;
-        if (!least) return {};
-        return Girth(std::max(at_tip * least->longer, least->shorter));
+        for (const EdgeId edge : brep.edges_of(face))  // across a long rod there is no other one
+            if (const auto lap = lap_of(brep, strips_from(brep, face, edge)))
+                return Girth(std::max(at_tip * lap->longer, lap->shorter));
+        return {};
     }
     if (type == GeomAbs_Cylinder) {
         const gp_Ax1 axis = surface.Cylinder().Axis();
