@@ -9,22 +9,32 @@
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepLib.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRep_Builder.hxx>
 #include <GC_MakeSegment.hxx>
+#include <GeomAPI_Interpolate.hxx>
 #include <GeomConvert.hxx>
 #include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_Circle.hxx>
+#include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <array>
+#include <cmath>
+#include <gp.hxx>
 #include <gp_Circ.hxx>
 #include <numbers>
 #include <utility>
@@ -93,6 +103,32 @@ TEST_CASE("however large the size is, six elements go round a rod") {
 TEST_CASE("rods that bend or become thinner have six elements round them everywhere") {
     const Brep ring(BRepPrimAPI_MakeTorus(200, 1).Shape());
     CHECK(smallest_of(ring, coarse(100)) == Approx(round_one / 6).epsilon(0.01));
+    // with more of it outside than inside, whichever parameter goes round the rod
+    const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, 16);
+    for (int i = 0; i < 16; ++i) {
+        const double angle = (i - 6) * std::numbers::pi / 12;
+        points->SetValue(
+            i + 1, i <= 12 ? gp_Pnt(200 + std::cos(angle), 0, std::sin(angle)) : gp_Pnt(200, 0, 1 - 0.5 * (i - 12)));
+    }
+    GeomAPI_Interpolate interpolate(points, true, 1e-9);
+    interpolate.Perform();
+    for (const bool is_exchanged : {false, true}) {
+        const Handle(Geom_BSplineSurface) surface =
+            GeomConvert::SurfaceToBSplineSurface(new Geom_SurfaceOfRevolution(interpolate.Curve(), gp::OZ()));
+        surface->SetUNotPeriodic(), surface->SetVNotPeriodic();
+        if (is_exchanged) surface->ExchangeUV();
+        const BRep_Builder builder;
+        TopoDS_Shell shell;
+        TopoDS_Solid solid;
+        builder.MakeShell(shell), builder.MakeSolid(solid);
+        builder.Add(shell, BRepBuilderAPI_MakeFace(surface, 1e-7).Face());
+        builder.Add(solid, shell);
+        BRepLib::OrientClosedSolid(solid);
+        const Brep spline(solid);
+        const auto girth = Girth::of(spline, FaceId(0), BRepAdaptor_Surface(spline.face(FaceId(0)), false));
+        REQUIRE(girth.has_value());
+        CHECK(girth->widest() == Approx(std::numbers::pi + 2).epsilon(0.05));
+    }
     const Brep cone(BRepPrimAPI_MakeCone(1, 0.5, 1000).Shape());
     RunContext context;
     const SizingField field = make_sizing(cone, coarse(500), {}, context);
