@@ -6,12 +6,17 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
+#include <GeomAPI_Interpolate.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <TColgp_HArray1OfPnt.hxx>
 #include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
 #include <algorithm>
 #include <array>
@@ -34,6 +39,11 @@ TopoDS_Shape block() { return BRepPrimAPI_MakeBox(20, 10, 5).Shape(); }
 TopoDS_Shape drilled(double radius) {
     return BRepAlgoAPI_Cut(block(), BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(6, 5, -1), gp::DZ()), radius, 7).Shape())
         .Shape();
+}
+
+TopoDS_Face sheet() {
+    BRepBuilderAPI_MakePolygon border(gp_Pnt(0, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(20, 10, 0), gp_Pnt(0, 10, 0), true);
+    return BRepBuilderAPI_MakeFace(border.Wire()).Face();
 }
 
 BoundaryMatch matched(const TopoDS_Shape& from, const TopoDS_Shape& to, const RigidMotion& motion = {}) {
@@ -131,13 +141,57 @@ TEST_CASE("where a border goes on as a line between two faces, the border alone 
     CHECK(lengths[1] == Approx(12));
 }
 
-TEST_CASE("a line drawn into a face has changed, but is no border") {
-    const gp_Pnt corners[]{gp_Pnt(0, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(20, 10, 0), gp_Pnt(0, 10, 0)};
-    const auto sheet = [&] {
-        return BRepBuilderAPI_MakeFace(
-                   BRepBuilderAPI_MakePolygon(corners[0], corners[1], corners[2], corners[3], true).Wire())
-            .Face();
+TEST_CASE("a vertex that came to a line, or into a face, has changed, and nothing else") {
+    BRepBuilderAPI_MakePolygon divided(gp_Pnt(0, 0, 0), gp_Pnt(7, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(20, 10, 0));
+    divided.Add(gp_Pnt(0, 10, 0));
+    divided.Close();
+    TopoDS_Face pointed = sheet();
+    BRep_Builder().Add(pointed, BRepBuilderAPI_MakeVertex(gp_Pnt(7, 0, 0)).Vertex().Oriented(TopAbs_INTERNAL));
+    const BoundaryModel plain{Brep(sheet(), Dimension::faces)};
+    for (const TopoDS_Face& face : {BRepBuilderAPI_MakeFace(divided.Wire()).Face(), pointed}) {
+        const BoundaryModel other{Brep(face, Dimension::faces)};
+        for (const auto& [from, to] : {std::pair(&plain, &other), std::pair(&other, &plain)}) {
+            const BoundaryMatch match = match_boundaries({*from, *to, {}, std::nullopt, {1e-7, {10, 5, 2}, 30}});
+            REQUIRE(match.groups.size() == 1);
+            CHECK(match.groups[0].pieces.empty());
+            REQUIRE(match.groups[0].points.size() == 1);
+            CHECK(distance(match.groups[0].points[0], {7, 0, 0}) < 1e-9);
+        }
+    }
+}
+
+TEST_CASE("a curve that is made of other poles is the same where its path is, whichever end is the first") {
+    const Handle(Geom_BSplineCurve) curve = [] {
+        const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, 5);
+        points->SetValue(1, gp_Pnt(0, 0, 0)), points->SetValue(2, gp_Pnt(4, 5, 1)),
+            points->SetValue(3, gp_Pnt(9, 6, 0));
+        points->SetValue(4, gp_Pnt(14, 2, 2)), points->SetValue(5, gp_Pnt(20, 1, 0));
+        GeomAPI_Interpolate interpolate(points, false, 1e-9);
+        interpolate.Perform();
+        return interpolate.Curve();
+    }();
+    const auto curves_of = [&](const Handle(Geom_BSplineCurve) & other) {
+        const BoundaryModel old_model{Brep(BRepBuilderAPI_MakeEdge(curve).Edge(), Dimension::edges)},
+            new_model{Brep(BRepBuilderAPI_MakeEdge(other).Edge(), Dimension::edges)};
+        const BoundaryMatch match = match_boundaries({old_model, new_model, {}, std::nullopt, {1e-7, {10, 5, 2}, 30}});
+        return std::array{match.old_edges[0], match.new_edges[0]};
     };
+    const Handle(Geom_BSplineCurve) elevated = Handle(Geom_BSplineCurve)::DownCast(curve->Copy());
+    elevated->IncreaseDegree(5);
+    const Handle(Geom_BSplineCurve) reversed = Handle(Geom_BSplineCurve)::DownCast(elevated->Reversed());
+    const Handle(Geom_BSplineCurve) bulged = Handle(Geom_BSplineCurve)::DownCast(elevated->Copy());
+    bulged->SetPole(4, bulged->Pole(4).Translated(gp_Vec(0, 0, 1e-3)));
+    for (const auto& [other, is_along] : {std::pair(elevated, true), std::pair(reversed, false)}) {
+        const auto [was, is] = curves_of(other);
+        CHECK(was.curve == is.curve);
+        CHECK(was.along);
+        CHECK(is.along == is_along);
+    }
+    const auto [was, is] = curves_of(bulged);
+    CHECK(was.curve != is.curve);
+}
+
+TEST_CASE("a line drawn into a face has changed, but is no border") {
     TopoDS_Face drawn = sheet();
     const TopoDS_Wire line = BRepBuilderAPI_MakePolygon(gp_Pnt(5, 5, 0), gp_Pnt(15, 5, 0)).Wire();
     BRep_Builder().Add(drawn, line.Oriented(TopAbs_INTERNAL));
