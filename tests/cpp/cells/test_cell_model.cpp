@@ -224,6 +224,7 @@ TEST_CASE("a pattern whose instances overlap") {
         for (const Owner& owner : cell.owners)
             if (owner.feature == FeatureId(1)) volumes.insert(owner.volume);
     CHECK(volumes == std::set<int>{0, 1, 2, 3});
+    CHECK(model.feature_volumes[1] == Approx(9 * 3 * 12));  // what is in two instances counts once
 }
 
 TEST_CASE("a hole through another hole of the same radius") {
