@@ -181,7 +181,7 @@ class Matcher {
         }
         int count = 0;
         const std::vector<int> path = group_equals(lonely, 100 * window_, count, [&](const Keyed& a, const Keyed& b) {
-            return a.is_new != b.is_new && same_path(curve_of(a), curve_of(b), pair_.sameness);
+            return same_path(curve_of(a), curve_of(b), pair_.sameness);
         });
         std::vector<int> first(std::size_t(count), -1);
         for (std::size_t i = 0; i < lonely.size(); ++i) {

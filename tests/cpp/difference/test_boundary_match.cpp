@@ -15,6 +15,7 @@
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
@@ -189,6 +190,15 @@ TEST_CASE("a curve that is made of other poles is the same where its path is, wh
     }
     const auto [was, is] = curves_of(bulged);
     CHECK(was.curve != is.curve);
+    // two edges of one state in the same place, as of solids that touch
+    TopoDS_Compound both;
+    BRep_Builder().MakeCompound(both);
+    for (const auto& one : {curve, elevated}) BRep_Builder().Add(both, BRepBuilderAPI_MakeEdge(one).Edge());
+    const BoundaryModel old_model{Brep(both, Dimension::edges)},
+        new_model{Brep(BRepBuilderAPI_MakeEdge(reversed).Edge(), Dimension::edges)};
+    const BoundaryMatch match = match_boundaries({old_model, new_model, {}, std::nullopt, {1e-7, {10, 5, 2}, 30}});
+    CHECK(match.old_edges[0].curve == match.new_edges[0].curve);
+    CHECK(match.old_edges[1].curve == match.new_edges[0].curve);
 }
 
 TEST_CASE("a line drawn into a face has changed, but is no border") {
