@@ -65,7 +65,8 @@ class Keeper {
         clear_between_motions();
         surfaces_.settle(motions_);
         context_.check_cancelled();
-        const std::optional<KeptShells> shells = keep_shells();
+        std::optional<KeptShells> shells;
+        if (has_shells()) shells.emplace(in_, motions_, near_change_, untouched_entities_);
         const KeptTets tets(in_.old_mesh, motions_, nodes_.regions(), in_.old_brep, in_.new_brep, near_change_,
                             untouched_solids_, is_resized_, &entities_);
         Kept kept = assemble(nodes_, entities_, tets, surfaces_, shells ? &*shells : nullptr, context_);
@@ -162,15 +163,6 @@ class Keeper {
     /// Of a solid, face or edge that is as it was, under the motion that it has.
     bool is_untouched(std::size_t n) const {
         return !untouched_under_.empty() && untouched_under_[n] != dropped && untouched_under_[n] == motions_[n];
-    }
-
-    // A node without an element that stays serves nothing.
-    std::optional<KeptShells> keep_shells() {
-        if (!has_shells()) return std::nullopt;
-        KeptShells shells(in_, motions_, near_change_, untouched_entities_);
-        for (std::size_t n = 0; n < node_count(); ++n)
-            if (!has_tet_[n] && !shells.has_kept(n)) motions_[n] = dropped;
-        return shells;
     }
 
     double made_for(std::size_t n) const {
