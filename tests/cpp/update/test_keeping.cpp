@@ -427,6 +427,19 @@ TEST_CASE("a local size that changes little by little is followed, saved and res
     CHECK(double(live->mesh.tets.size()) > 0.8 * double(full.report.tets));
 }
 
+TEST_CASE("a local size is followed, too, where no change of it is worth new elements by itself") {
+    MeshOptions options = options_of(4);
+    const FaceId end = face_at(meshed(plate_with_hole(20), options).part_mesh->mesh, 60);
+    options.sizing.local = {{entity_of(end), 1.5}};
+    auto part = meshed(plate_with_hole(20), options).part_mesh;
+    for (int i = 0; i < 30; ++i) {
+        options.sizing.local[0].size *= 1.009;
+        part = updated(*part, plate_with_hole(20), options).part_mesh;
+    }
+    const auto full = meshed(plate_with_hole(20), options);
+    CHECK(double(part->mesh.tets.size()) < 1.15 * double(full.report.tets));
+}
+
 TEST_CASE("a mesh that is updated again and again stays as fine and as good as a full one") {
     const MeshOptions options = options_of(3);
     auto part = meshed(thick_plate(20), options).part_mesh;
