@@ -427,6 +427,46 @@ TEST_CASE("a local size that changes little by little is followed, saved and res
     CHECK(double(live->mesh.tets.size()) > 0.8 * double(full.report.tets));
 }
 
+TEST_CASE("what is carried to where other sizes are wanted gets elements of these") {
+    MeshOptions options = options_of(3);
+    SizeZone zone;
+    zone.shape = BoxZone{{40, 30, 40}};
+    zone.inner = 1.2;
+    options.sizing.zones = {zone};
+    const auto with_boss = [](double x) {
+        return PartDocument()
+            .box("Plate", {0, 0, 0}, {120, 30, 6})
+            .box("Boss", {x, 8, 6}, {14, 14, 20})
+            .fuse("Part", "Plate", "Boss")
+            .finish();
+    };
+    for (const auto& [from, to] : {std::pair(10, 90), std::pair(90, 10)}) {
+        const auto first = meshed(with_boss(from), options);
+        const auto second = updated(*first.part_mesh, with_boss(to), options);
+        const auto full = meshed(with_boss(to), options);
+        CHECK(second.report.fallbacks.empty());
+        CHECK(double(second.report.tets) < 1.05 * double(full.report.tets));
+        CHECK(double(second.report.tets) > 0.95 * double(full.report.tets));
+    }
+}
+
+TEST_CASE("another size at a solid that stayed makes its elements anew, on its surface, too") {
+    MeshOptions options = options_of(3);
+    const auto first = meshed(two_plates(12), options);
+    const Brep& brep = first.part_mesh->part.brep;
+    options.sizing.local = {{entity_of(SolidId(1)), 1.5}};
+    const auto second = updated(*first.part_mesh, two_plates(12), options), full = meshed(two_plates(12), options);
+    const auto triangles_of = [&](const PartMesh& part, SolidId solid) {
+        return std::count_if(part.mesh.triangle_faces.begin(), part.mesh.triangle_faces.end(),
+                             [&](FaceId face) { return brep.solids_beside(face)[0] == solid; });
+    };
+    CHECK(triangles_of(*second.part_mesh, SolidId(0)) == triangles_of(*first.part_mesh, SolidId(0)));
+    CHECK(double(triangles_of(*second.part_mesh, SolidId(1))) >
+          0.95 * double(triangles_of(*full.part_mesh, SolidId(1))));
+    CHECK(double(second.report.tets) > 0.95 * double(full.report.tets));
+    CHECK(second.report.kept_tets_share > 0);
+}
+
 TEST_CASE("a local size is followed, too, where no change of it is worth new elements by itself") {
     MeshOptions options = options_of(4);
     const FaceId end = face_at(meshed(plate_with_hole(20), options).part_mesh->mesh, 60);
