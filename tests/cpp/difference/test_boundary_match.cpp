@@ -28,6 +28,7 @@
 #include "brep/brep.h"
 #include "catch.h"
 #include "difference/edge_difference.h"
+#include "difference/partners.h"
 #include "difference/place_partners.h"
 #include "difference/volume_faces.h"
 
@@ -199,6 +200,31 @@ TEST_CASE("a curve that is made of other poles is the same where its path is, wh
     const BoundaryMatch match = match_boundaries({old_model, new_model, {}, std::nullopt, {1e-7, {10, 5, 2}, 30}});
     CHECK(match.old_edges[0].curve == match.new_edges[0].curve);
     CHECK(match.old_edges[1].curve == match.new_edges[0].curve);
+}
+
+TEST_CASE("of two pieces of a face or an edge the larger one is its partner, whichever comes first") {
+    for (const double x : {4.0, 15.0}) {
+        const TopoDS_Shape slot = BRepPrimAPI_MakeBox(gp_Pnt(x, -1, 3), 1, 12, 3).Shape();
+        const Brep was(block()), is(BRepAlgoAPI_Cut(block(), slot).Shape());
+        const BoundaryModel old_model{was}, new_model{is};
+        const BoundaryPair pair{old_model, new_model, {}, std::nullopt, {1e-7, {10, 5, 2}, 30}};
+        CarriedRegion region;
+        find_partners(pair, match_boundaries(pair), region);
+        const auto is_larger = [&](const Box& box) { return box.size().x > 10; };
+        std::size_t divided = 0;
+        for (std::size_t f = 0; f < was.face_count(); ++f) {
+            if (region.new_faces_of[f].size() != 2) continue;
+            ++divided;
+            CHECK(is_larger(is.box_of(region.new_face_of[f])));
+        }
+        CHECK(divided == 1);
+        for (std::size_t e = 0; e < was.edge_count(); ++e) {
+            if (region.new_edges_of[e].size() != 2) continue;
+            ++divided;
+            CHECK(is_larger(new_model.edges()[region.new_edge_of[e].index()].box));
+        }
+        CHECK(divided == 3);
+    }
 }
 
 TEST_CASE("a line drawn into a face has changed, but is no border") {
