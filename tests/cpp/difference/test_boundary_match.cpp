@@ -24,6 +24,7 @@
 #include <cmath>
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
+#include <vector>
 
 #include "brep/brep.h"
 #include "catch.h"
@@ -224,6 +225,38 @@ TEST_CASE("of two pieces of a face or an edge the larger one is its partner, whi
             CHECK(is_larger(new_model.edges()[region.new_edge_of[e].index()].box));
         }
         CHECK(divided == 3);
+    }
+}
+
+TEST_CASE("where solids lie on one another, partners are of the same solid, however little of it is left") {
+    const auto stack = [](const std::vector<std::array<double, 2>>& heights) {
+        TopoDS_Compound solids;
+        BRep_Builder().MakeCompound(solids);
+        for (const auto& [low, high] : heights)
+            BRep_Builder().Add(solids, BRepPrimAPI_MakeBox(gp_Pnt(0, 0, low), 2, 2, high - low).Shape());
+        return Brep(solids);
+    };
+    // the second solid takes what the first one had, or a new one does
+    for (const auto& heights : {std::vector<std::array<double, 2>>{{0, 1}, {1, 10}}, {{0, 1}, {5, 10}, {1, 5}}}) {
+        const Brep was = stack({{0, 5}, {5, 10}}), is = stack(heights);
+        const BoundaryModel old_model{was}, new_model{is};
+        const BoundaryPair pair{old_model, new_model, {}, std::nullopt, {1e-7, {1, 1, 5}, 12}};
+        CarriedRegion region;
+        find_partners(pair, match_boundaries(pair), region);
+        const auto solid_of = [](const Brep& brep, FaceId face) { return brep.solids_beside(face)[0]; };
+        const auto is_upright = [](const Box& box) { return box.size().z > 0.5; };
+        for (std::size_t f = 0; f < was.face_count(); ++f)
+            if (is_upright(was.box_of(FaceId(f))))
+                CHECK(solid_of(is, region.new_face_of[f]) == solid_of(was, FaceId(f)));
+        for (std::size_t e = 0; e < was.edge_count(); ++e) {
+            if (!is_upright(old_model.edges()[e].box)) continue;
+            const SolidId own = solid_of(was, was.faces_of(EdgeId(e))[0]);
+            CHECK(solid_of(is, is.faces_of(region.new_edge_of[e])[0]) == own);
+            for (const EdgeId now : region.new_edges_of[e]) {
+                const SolidId of_piece = solid_of(is, is.faces_of(now)[0]);
+                CHECK((of_piece == own || of_piece == SolidId(2)));
+            }
+        }
     }
 }
 
