@@ -16,6 +16,7 @@
 #include <Geom_BSplineCurve.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Vertex.hxx>
 #include <TopoDS_Wire.hxx>
@@ -192,6 +193,20 @@ TEST_CASE("a curve that is made of other poles is the same where its path is, wh
     }
     const auto [was, is] = curves_of(bulged);
     CHECK(was.curve != is.curve);
+    // as far as the tolerances of both edges say
+    gp_Trsf little;
+    little.SetTranslation(gp_Vec(4e-6, 2e-6, 2e-6));
+    const auto are_one = [&](double tolerance) {
+        TopoDS_Edge one = BRepBuilderAPI_MakeEdge(curve).Edge(),
+                    other = BRepBuilderAPI_MakeEdge(Handle(Geom_Curve)::DownCast(elevated->Transformed(little))).Edge();
+        for (const TopoDS_Edge& edge : {one, other}) BRep_Builder().UpdateEdge(edge, tolerance);
+        const BoundaryModel one_model{Brep(one, Dimension::edges)}, other_model{Brep(other, Dimension::edges)};
+        const BoundaryMatch found =
+            match_boundaries({one_model, other_model, {}, std::nullopt, {1e-7, {10, 5, 2}, 30}});
+        return found.old_edges[0].curve == found.new_edges[0].curve;
+    };
+    CHECK(are_one(1e-5));
+    CHECK_FALSE(are_one(1e-6));
     // two edges of one state in the same place, as of solids that touch
     TopoDS_Compound both;
     BRep_Builder().MakeCompound(both);
@@ -257,6 +272,28 @@ TEST_CASE("where solids lie on one another, partners are of the same solid, howe
                 CHECK((of_piece == own || of_piece == SolidId(2)));
             }
         }
+    }
+}
+
+TEST_CASE("solids are told by their faces, not by their order, and faces one in the other are partners") {
+    const auto both = [](const TopoDS_Shape& one, const TopoDS_Shape& other) {
+        TopoDS_Compound solids;
+        BRep_Builder().MakeCompound(solids);
+        for (const TopoDS_Shape& solid : {one, other}) BRep_Builder().Add(solids, solid);
+        return Brep(solids);
+    };
+    const TopoDS_Shape on_top = BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 5), 20, 10, 2).Shape();
+    const Brep was = both(block(), on_top), is = both(on_top, block());
+    for (const FaceChange& change : faces_in_place(was, is, {})) {
+        CHECK(change.verdict == BoundaryVerdict::kept);
+        CHECK(is.solids_beside(change.new_face)[0] != was.solids_beside(change.old_face)[0]);
+    }
+    const Brep small(block()), wide(BRepPrimAPI_MakeBox(gp_Pnt(-3, -4, 0), gp_Pnt(25, 15, 5)).Shape());
+    for (const auto& [from, to] : {std::pair(&small, &wide), std::pair(&wide, &small)}) {
+        const auto changes = faces_in_place(*from, *to, {});
+        CHECK(std::count_if(changes.begin(), changes.end(), [](const FaceChange& change) {
+                  return change.verdict == BoundaryVerdict::trimmed_differently;
+              }) == 2);
     }
 }
 
