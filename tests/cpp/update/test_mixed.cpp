@@ -177,6 +177,7 @@ TEST_CASE("Of a solid with a sheet only the solid is meshed where solids are ask
         update_part(*all.part_mesh, block_sheet_and_post(10, 50), options_of(4, 1, Dimension::solids), context);
     check_sound(*back.part_mesh);
     CHECK(back.report.triangles == solids.report.triangles);
+    CHECK(back.report.nodes == solids.report.nodes);
 }
 
 TEST_CASE("A triangle that is missing in a sheet beside a solid, or a segment in a post, is found") {
