@@ -157,6 +157,13 @@ TEST_CASE(
     CHECK(smallest_of(tapered(0.05), plain) == Approx(0.25 * round_one / 6).epsilon(1e-3));
 }
 
+TEST_CASE("at the tip of a rod elements are a quarter as long as where it is widest") {
+    SizingOptions plain = coarse(50);
+    plain.elements_per_circle = 0;
+    const Brep cone(BRepPrimAPI_MakeCone(1, 0, 100).Shape());
+    CHECK(smallest_of(cone, plain) == Approx(0.25 * round_one / 6).epsilon(1e-3));
+}
+
 TEST_CASE("what has material around it, or on both sides of a small part of a circle, is no rod") {
     const TopoDS_Shape block = BRepPrimAPI_MakeBox(gp_Pnt(-50, -50, 0), 100, 100, 100).Shape();
     const Brep holed(BRepAlgoAPI_Cut(block, BRepPrimAPI_MakeCylinder(1, 100).Shape()).Shape());

@@ -123,6 +123,10 @@ TEST_CASE("curvature puts the elements around the circle") {
     CHECK(torus.at({24, 0, 0}) == Approx(2 * std::numbers::pi * 4 / 12).epsilon(0.01));
     CHECK(torus.at({0, 16, 0}) == Approx(2 * std::numbers::pi * 4 / 12).epsilon(0.01));
 
+    // thick as it is, it curves most where it nearly closes its hole
+    const SizingField nearly_closed = sizing_of(Brep(BRepPrimAPI_MakeTorus(10, 9).Shape()), of_size(4));
+    CHECK(nearly_closed.at({1, 0, 0}) == Approx(2 * std::numbers::pi * 1 / 12).epsilon(0.01));
+
     SizingOptions limited = of_size(8);
     limited.min_size = 2.5;
     CHECK(sizing_of(block_with_hole(), limited).smallest() == Approx(2.5));

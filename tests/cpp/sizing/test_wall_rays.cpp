@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <BRepAlgoAPI_BuilderAlgo.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeWedge.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS_Shape.hxx>
 
 #include "catch.h"
@@ -47,6 +49,27 @@ TEST_CASE("elements across a gap make a thin plate fine and leave a thick block 
         CHECK(thin.at({x, 20, 1.5}) <= 1.5 + 0.3 * 1.5);
     }
     CHECK(make_sizing(Brep(BRepPrimAPI_MakeBox(40, 40, 40).Shape()), options, {}, context).is_uniform());
+}
+
+TEST_CASE("of two solids that share a face each has its own thickness, and the thinner counts at the face") {
+    TopTools_ListOfShape blocks;
+    blocks.Append(BRepPrimAPI_MakeBox(40, 40, 3).Shape());
+    blocks.Append(BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 3), 40, 40, 30).Shape());
+    for (const bool is_turned : {false, true}) {
+        if (is_turned) blocks.Reverse();
+        BRepAlgoAPI_BuilderAlgo glue;
+        glue.SetArguments(blocks);
+        glue.Build();
+        const Brep brep(glue.Shape());
+        REQUIRE(brep.face_count() == 11);
+        RunContext context;
+        SizingOptions options;
+        options.size = 8;
+        options.elements_across_gap = 2;
+        const SizingField field = make_sizing(brep, options, {}, context);
+        for (const double z : {0.0, 3.0}) CHECK(field.at({20, 20, z}) == Approx(1.5));
+        CHECK(field.at({20, 20, 33}) == 8);
+    }
 }
 
 TEST_CASE("the tip of a wedge is no gap") {
