@@ -297,6 +297,25 @@ TEST_CASE("solids are told by their faces, not by their order, and faces one in 
     }
 }
 
+TEST_CASE("arcs of one circle are partners where they overlap, also beyond its seam") {
+    const gp_Circ circle(gp_Ax2(gp_Pnt(10, 5, 2), gp_Dir(1, 2, 3)), 7);
+    const auto arc = [&](double from, double to) {
+        return Brep(BRepBuilderAPI_MakeEdge(circle, from, to).Edge(), Dimension::edges);
+    };
+    const Brep over_seam = arc(6, 6.6), after = arc(0.1, 1), apart = arc(0.4, 1);
+    const auto are_partners = [](const Brep& was, const Brep& is) {
+        const BoundaryModel old_model{was}, new_model{is};
+        const BoundaryPair pair{old_model, new_model, {}, std::nullopt, {1e-7, {10, 5, 2}, 30}};
+        CarriedRegion region;
+        find_partners(pair, match_boundaries(pair), region);
+        return region.new_edge_of[0].is_valid();
+    };
+    CHECK(are_partners(over_seam, after));
+    CHECK(are_partners(after, over_seam));
+    CHECK_FALSE(are_partners(over_seam, apart));
+    CHECK_FALSE(are_partners(apart, over_seam));
+}
+
 TEST_CASE("a line drawn into a face has changed, but is no border") {
     TopoDS_Face drawn = sheet();
     const TopoDS_Wire line = BRepBuilderAPI_MakePolygon(gp_Pnt(5, 5, 0), gp_Pnt(15, 5, 0)).Wire();
