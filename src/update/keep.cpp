@@ -209,12 +209,9 @@ class Keeper {
             const std::size_t a = ends_of_mids_[mid][0].index(), b = ends_of_mids_[mid][1].index();
             asked_[n] = asked_[a].wanted > 0 ? asked_[a] : asked_[b];
             asked_[n].is_carried = motions_[n] > 0;
-            if (goes(a) || goes(b)) drop(n, is_resized_[a] || is_resized_[b]);
+            if (motions_[a] == dropped || motions_[b] == dropped) drop(n, is_resized_[a] || is_resized_[b]);
         }
     }
-
-    /// From tets that are not of an untouched solid at least.
-    bool goes(std::size_t n) const { return motions_[n] == dropped || (!near_change_.empty() && near_change_[n] != 0); }
 
     bool is_near_change(std::size_t n) const {
         const ChangedBoundary& changed = nodes_.regions()[nodes_.motion_of(NodeId(n))].changed;

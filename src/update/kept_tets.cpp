@@ -109,9 +109,8 @@ bool KeptTets::stays(std::size_t tet) const {
 
 bool KeptTets::may_stay_near_change(std::size_t tet) const {
     if (near_change_.empty() || untouched_solids_[old_.tet_solids[tet].index()]) return true;
-    const auto is_near = [&](NodeId n) { return near_change_[n.index()] != 0; };
-    const auto has_near = [&](const auto& nodes) { return std::any_of(nodes.begin(), nodes.end(), is_near); };
-    return !has_near(old_.tets[tet]) && !(old_.order == 2 && has_near(old_.tet_mids[tet]));
+    const auto& corners = old_.tets[tet];
+    return std::none_of(corners.begin(), corners.end(), [&](NodeId n) { return near_change_[n.index()] != 0; });
 }
 
 void KeptTets::mark_rim() {
