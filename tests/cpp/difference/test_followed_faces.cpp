@@ -224,6 +224,50 @@ TEST_CASE("pieces of a face go with it where it moves, onto others, too") {
     check_moved(slotted(0, 34), slotted(0, 36), {}, 2.1, 9);
 }
 
+TEST_CASE("of the two pieces beside a slot that moves a little each stays itself") {
+    const auto slotted = [](double x) {
+        return part({{"Plate", Effect::adds, {box({0, 0, 0}, {60, 40, 10})}, {}},
+                     {"Slot", Effect::removes, {box({x, -1, 5}, {1, 42, 10})}, {}}});
+    };
+    const PartState was = slotted(20), is = slotted(17);
+    const auto is_left_on_top = [](const Brep& brep, FaceId face) {
+        const Box& box = brep.box_of(face);
+        return box.low.z > 9 && box.high.x < 30;
+    };
+    const std::vector<FollowedFace> followed = follow_faces(was, {}, is, {});
+    std::size_t found = 0;
+    for (const FollowedFace& face : followed) {
+        if (was.brep.box_of(face.old_face).low.z < 9) continue;
+        ++found;
+        REQUIRE(face.new_faces.size() == 1);
+        CHECK(is_left_on_top(is.brep, face.new_faces[0]) == is_left_on_top(was.brep, face.old_face));
+    }
+    CHECK(found == 2);
+}
+
+TEST_CASE("of two bores of one feature the one that stays tells which the other one is, but not where it turned") {
+    const auto bored = [](const TopoDS_Shape& second) {
+        TopoDS_Compound both;
+        BRep_Builder().MakeCompound(both);
+        BRep_Builder().Add(both, cylinder({20, 20, -1}, {0, 0, 1}, 6, 12));
+        BRep_Builder().Add(both, second);
+        return part(
+            {{"Plate", Effect::adds, {box({0, 0, 0}, {60, 40, 10})}, {}}, {"Bores", Effect::removes, {both}, {}}});
+    };
+    const auto radii_of = [&](const TopoDS_Shape& now) {
+        const PartState was = bored(cylinder({40, 20, -1}, {0, 0, 1}, 4, 12)), is = bored(now);
+        Radii radii;
+        for (const FollowedFace& face : follow_faces(was, {}, is, {})) {
+            const UnderlyingSurface wall = underlying_of(was.brep.face(face.old_face));
+            if (wall.kind != SurfaceKind::cylinder || wall.radius > 5) continue;
+            for (const FaceId f : face.new_faces) radii.push_back(underlying_of(is.brep.face(f)).radius);
+        }
+        return radii;
+    };
+    CHECK(radii_of(cylinder({52, 8, -1}, {0, 0, 1}, 3, 12)) == Radii{3});
+    CHECK(radii_of(cylinder({40, -1, 5}, {0, 1, 0}, 3, 42)) == Radii{});
+}
+
 TEST_CASE("the kernel may list the faces of a feature in another order, too") {
     const auto made = [](PartState state) {
         state.tree.features[0].role = Role::additive;
