@@ -301,8 +301,8 @@ void find_partners(const BoundaryPair& pair, const BoundaryMatch& match, Carried
 }
 
 namespace {
-/// What became of the old faces. Faces of one solid do not overlap: one that has a twin, a face of the same border, has
-/// nothing to do with any other.
+/// What became of the old faces. One that has a twin, a face of the same border, has nothing to do with any other:
+/// those of one solid do not overlap, and another solid's is its own.
 class FaceHistory {
   public:
     FaceHistory(const BoundaryPair& pair, const BoundaryMatch& match, const CarriedRegion& region)
@@ -323,34 +323,32 @@ class FaceHistory {
         std::vector<FaceChange> changes;
         for (std::size_t f = 0; f < twins_of_.size(); ++f) changes.push_back(change_of(FaceId(f)));
         for (std::size_t f = 0; f < has_partner_.size(); ++f)
-            if (!has_partner_[f])
+            if (!has_partner_[f] && !has_twin_[f])
                 changes.push_back({BoundaryVerdict::appeared, FaceId(), FaceId(f), {}, {}, false, {}});
         return changes;
     }
 
   private:
-    bool is_known_apart(FaceId old_face, FaceId new_face) const {
-        return pair_.old_model.brep().solid_count() == 1 && pair_.new_model.brep().solid_count() == 1 &&
-               (!twins_of_[old_face.index()].empty() || has_twin_[new_face.index()]);
-    }
-
     /// Marks the new faces that overlap the old one.
     FaceChange change_of(FaceId f) {
         FaceChange change{BoundaryVerdict::vanished, f, FaceId(), {}, {}, false, {}};
-        for (const FaceId partner : region_.new_faces_of[f.index()]) {
-            const std::vector<FaceId>& twins = twins_of_[f.index()];
-            const bool kept = std::find(twins.begin(), twins.end(), partner) != twins.end();
-            if (!kept && (is_known_apart(f, partner) || !finder_.do_overlap(f, partner))) continue;
-            has_partner_[partner.index()] = 1;
-            if (kept) change.new_faces.clear();
-            if (change.verdict != BoundaryVerdict::kept) change.new_faces.push_back(partner);
-            if (change.new_face.is_valid() && !kept) continue;
-            change.verdict = kept ? BoundaryVerdict::kept : BoundaryVerdict::trimmed_differently;
-            change.new_face = partner;
-        }
-        if (change.new_face.is_valid() &&
-            match_.groups[std::size_t(match_.group_of_old_face[f.index()])].is_unchanged())
+        if (const std::vector<FaceId>& twins = twins_of_[f.index()]; !twins.empty()) {
             change.verdict = BoundaryVerdict::kept;
+            change.new_faces = {twins.front()};
+        }
+        for (const FaceId partner : region_.new_faces_of[f.index()]) {
+            if (change.verdict == BoundaryVerdict::kept || has_twin_[partner.index()] ||
+                !finder_.do_overlap(f, partner))
+                continue;
+            has_partner_[partner.index()] = 1;
+            change.new_faces.push_back(partner);
+        }
+        if (change.new_faces.empty()) return change;
+        change.new_face = change.new_faces.front();
+        if (change.verdict == BoundaryVerdict::vanished)
+            change.verdict = match_.groups[std::size_t(match_.group_of_old_face[f.index()])].is_unchanged()
+                                 ? BoundaryVerdict::kept
+                                 : BoundaryVerdict::trimmed_differently;
         return change;
     }
 

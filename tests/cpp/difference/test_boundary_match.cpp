@@ -25,6 +25,7 @@
 #include <cmath>
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
+#include <map>
 #include <vector>
 
 #include "brep/brep.h"
@@ -314,6 +315,36 @@ TEST_CASE("arcs of one circle are partners where they overlap, also beyond its s
     CHECK(are_partners(after, over_seam));
     CHECK_FALSE(are_partners(over_seam, apart));
     CHECK_FALSE(are_partners(apart, over_seam));
+}
+
+TEST_CASE("of solids in one place each face is kept as that of its own solid") {
+    TopoDS_Compound both;
+    BRep_Builder().MakeCompound(both);
+    for (int i = 0; i < 2; ++i) BRep_Builder().Add(both, block());
+    const Brep twice(both);
+    REQUIRE(twice.face_count() == 12);
+    for (const FaceChange& change : faces_in_place(twice, twice, {})) {
+        CHECK(change.verdict == BoundaryVerdict::kept);
+        CHECK(change.new_face == change.old_face);
+        CHECK(change.new_faces == std::vector<FaceId>{change.old_face});
+    }
+}
+
+TEST_CASE(
+    "of a solid that comes to overlap another one, flush with it, all faces appeared, and those of the other stay") {
+    const TopoDS_Shape flush = BRepPrimAPI_MakeBox(gp_Pnt(5, 3, -4), gp_Pnt(30, 7, 5)).Shape();
+    TopoDS_Compound both;
+    BRep_Builder().MakeCompound(both);
+    for (const TopoDS_Shape& solid : {block(), flush}) BRep_Builder().Add(both, solid);
+    const Brep alone(block()), together(both);
+    for (const bool is_coming : {true, false}) {
+        std::map<BoundaryVerdict, int> count;
+        for (const FaceChange& change :
+             is_coming ? faces_in_place(alone, together, {}) : faces_in_place(together, alone, {}))
+            ++count[change.verdict];
+        CHECK(count[BoundaryVerdict::kept] == 6);
+        CHECK(count[is_coming ? BoundaryVerdict::appeared : BoundaryVerdict::vanished] == 6);
+    }
 }
 
 TEST_CASE("a line drawn into a face has changed, but is no border") {

@@ -284,6 +284,24 @@ TEST_CASE("the kernel may list the faces of a feature in another order, too") {
     }
 }
 
+TEST_CASE("what was on a solid that is gone does not come to one that it overlapped, flush with it") {
+    const auto file = [](bool has_second) {
+        TopoDS_Compound all;
+        BRep_Builder().MakeCompound(all);
+        BRep_Builder().Add(all, box({0, 0, 0}, {20, 10, 5}));
+        if (has_second) BRep_Builder().Add(all, box({5, 3, -4}, {25, 4, 9}));
+        PartState state = part({{"Import", Effect::adds, {all}, {}}});
+        state.tree.features[0].role = Role::base;
+        return state;
+    };
+    const PartState was = file(true), is = file(false);
+    for (const FollowedFace& face : follow_faces(was, {}, is, {})) {
+        const bool is_of_first = was.brep.solids_beside(face.old_face)[0] == SolidId(0);
+        INFO("Face" << face.old_face.index() + 1);
+        CHECK(face.new_faces.size() == (is_of_first ? 1 : 0));
+    }
+}
+
 TEST_CASE("the faces of many solids of a file are followed where all grew, and not each beside each") {
     const auto blocks = [](int count, double height) {
         TopoDS_Compound all;
