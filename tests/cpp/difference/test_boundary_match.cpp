@@ -10,7 +10,9 @@
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRep_Builder.hxx>
 #include <GeomAPI_Interpolate.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -33,6 +35,7 @@
 #include "difference/edge_difference.h"
 #include "difference/partners.h"
 #include "difference/place_partners.h"
+#include "difference/trim_difference.h"
 #include "difference/volume_faces.h"
 
 using namespace featuremesh;
@@ -49,6 +52,14 @@ TopoDS_Shape drilled(double radius) {
 TopoDS_Face sheet() {
     BRepBuilderAPI_MakePolygon border(gp_Pnt(0, 0, 0), gp_Pnt(20, 0, 0), gp_Pnt(20, 10, 0), gp_Pnt(0, 10, 0), true);
     return BRepBuilderAPI_MakeFace(border.Wire()).Face();
+}
+
+ChangedBoundary changed_between(const BoundaryModel& from, const BoundaryModel& to) {
+    const BoundaryPair pair{from, to, {}, std::nullopt, {1e-7, {10, 5, 2}, 30}};
+    const BoundaryMatch match = match_boundaries(pair);
+    std::vector<SpaceTriangle> triangles;
+    for (const SurfaceGroup& group : match.groups) append_trim_difference(pair, match, group, 0.3, triangles);
+    return ChangedBoundary(std::move(triangles));
 }
 
 BoundaryMatch matched(const TopoDS_Shape& from, const TopoDS_Shape& to, const RigidMotion& motion = {}) {
@@ -161,6 +172,9 @@ TEST_CASE("a vertex that came to a line, or into a face, has changed, and nothin
             CHECK(match.groups[0].pieces.empty());
             REQUIRE(match.groups[0].points.size() == 1);
             CHECK(distance(match.groups[0].points[0], {7, 0, 0}) < 1e-9);
+            const ChangedBoundary changed = changed_between(*from, *to);
+            CHECK(changed.is_within(0.1, {7, 0, 0}));
+            CHECK_FALSE(changed.is_within(0.5, {8, 0, 0}));
         }
     }
 }
@@ -295,6 +309,32 @@ TEST_CASE("solids are told by their faces, not by their order, and faces one in 
         CHECK(std::count_if(changes.begin(), changes.end(), [](const FaceChange& change) {
                   return change.verdict == BoundaryVerdict::trimmed_differently;
               }) == 2);
+    }
+}
+
+TEST_CASE(
+    "all of a cone up to its tip has changed where it came, and all of a ball where it touches with little of it") {
+    const BoundaryModel plain{Brep(block())};
+    for (const bool is_upright : {true, false}) {  // whichever way its parameter runs from the tip
+        const gp_Ax2 up(gp_Pnt(6, 5, 5), gp::DZ()), down(gp_Pnt(6, 5, 9), gp::DZ().Reversed());
+        const TopoDS_Shape cone =
+            is_upright ? BRepPrimAPI_MakeCone(up, 3, 0, 4).Shape() : BRepPrimAPI_MakeCone(down, 0, 3, 4).Shape();
+        const BoundaryModel with_cone{Brep(BRepAlgoAPI_Fuse(block(), cone).Shape())};
+        for (const auto& [from, to] : {std::pair(&plain, &with_cone), std::pair(&with_cone, &plain)}) {
+            const ChangedBoundary changed = changed_between(*from, *to);
+            for (const Vec3& p : {Vec3{6, 5, 8.9}, {6 + 1.5, 5, 7}, {6, 5 - 1.5, 7}, {6 - 0.75, 5, 8}})
+                CHECK(changed.is_within(0.1, p));
+        }
+    }
+    for (const double turn : {0.0, 2.0, 4.0}) {  // wherever the ball's seam is
+        const gp_Ax2 place(gp_Pnt(22, 5, 2), gp::DZ(), gp_Dir(std::cos(turn), std::sin(turn), 0));
+        const BoundaryModel with_ball{
+            Brep(BRepAlgoAPI_Fuse(block(), BRepPrimAPI_MakeSphere(place, 2.4).Shape()).Shape())};
+        for (const auto& [from, to] : {std::pair(&plain, &with_ball), std::pair(&with_ball, &plain)}) {
+            const ChangedBoundary changed = changed_between(*from, *to);
+            for (const Vec3& way : {Vec3{1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0.6, 0, 0.8}, {0.6, 0.64, -0.48}})
+                CHECK(changed.is_within(0.1, Vec3{22, 5, 2} + 2.4 * way));
+        }
     }
 }
 
