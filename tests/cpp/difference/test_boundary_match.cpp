@@ -338,6 +338,24 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("round a cylinder all has changed that is cut off it, over its seam, too") {
+    const gp_Ax2 up(gp_Pnt(10, 5, 0), gp::DZ()),
+        from_sector(gp_Pnt(10, 5, 3), gp::DZ(), gp_Dir(std::cos(1.3), std::sin(1.3), 0));
+    const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(up, 4, 6).Shape(),
+                       all_but_sector = BRepPrimAPI_MakeCylinder(from_sector, 7, 5, 5.8).Shape();
+    const BoundaryModel whole{Brep(cylinder)}, cut{Brep(BRepAlgoAPI_Cut(cylinder, all_but_sector).Shape())};
+    for (const auto& [from, to] : {std::pair(&whole, &cut), std::pair(&cut, &whole)}) {
+        const ChangedBoundary changed = changed_between(*from, *to);
+        for (double turn = 0.1; turn < 2 * M_PI; turn += 0.2) {
+            const bool is_in_sector = turn > 1.3 - (2 * M_PI - 5.8) && turn < 1.3;
+            const Vec3 p{10 + 4 * std::cos(turn), 5 + 4 * std::sin(turn), 4.5};
+            INFO(turn);
+            if (!is_in_sector) CHECK(changed.is_within(0.1, p));
+        }
+        CHECK_FALSE(changed.is_within(0.3, {10 + 4 * std::cos(1.06), 5 + 4 * std::sin(1.06), 4.5}));
+    }
+}
+
 TEST_CASE("arcs of one circle are partners where they overlap, also beyond its seam") {
     const gp_Circ circle(gp_Ax2(gp_Pnt(10, 5, 2), gp_Dir(1, 2, 3)), 7);
     const auto arc = [&](double from, double to) {
