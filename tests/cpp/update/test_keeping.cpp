@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an update leaves alone: mid-side nodes, other solids, places where the wanted size stays.
 #include <BOPAlgo_Builder.hxx>
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_Transform.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
+#include <gp.hxx>
+#include <gp_Ax2.hxx>
+#include <gp_Trsf.hxx>
 #include <map>
 #include <vector>
 
@@ -495,6 +501,26 @@ TEST_CASE("where only the mid-side node of an edge's piece is near a change, the
     for (std::size_t s = 0; s < mesh.segments.size(); ++s) {
         const Vec3 &a = mesh.point(mesh.segments[s][0]), &b = mesh.point(mesh.segments[s][1]);
         CHECK(distance(0.5 * (a + b), mesh.point(mesh.segment_mids[s])) < 0.25 * distance(a, b));
+    }
+}
+
+TEST_CASE("where faces and edges run the other way than before all stays, and every triangle is turned with its face") {
+    const TopoDS_Shape pocket = BRepPrimAPI_MakeBox(gp_Pnt(7, 3, 2), 6, 4, 5).Shape(),
+                       block = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(20, 10, 5).Shape(), pocket).Shape();
+    gp_Trsf mirror;
+    mirror.SetMirror(gp_Ax2(gp_Pnt(10, 0, 0), gp::DX()));
+    const TopoDS_Shape mirrored = BRepBuilderAPI_Transform(block, mirror, true).Shape();
+    const auto document_of = [](const TopoDS_Shape& shape) {
+        return PartDocument().add("Part", "Part::Feature", shape).finish();
+    };
+    for (const int order : {1, 2}) {
+        const auto first = meshed(document_of(block), options_of(2, order));
+        const auto second = updated(*first.part_mesh, document_of(mirrored), options_of(2, order));
+        CHECK(second.report.fallbacks.empty());
+        CHECK(second.report.kept_tets_share == 1);
+        CHECK(second.report.kept_nodes_share == 1);
+        CHECK(second.report.triangles == first.report.triangles);
+        CHECK(second.part_mesh->mesh.triangle_numbers == first.part_mesh->mesh.triangle_numbers);
     }
 }
 
