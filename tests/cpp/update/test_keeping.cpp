@@ -524,6 +524,26 @@ TEST_CASE("where faces and edges run the other way than before all stays, and ev
     }
 }
 
+TEST_CASE("where solids that share a face come in the other order, its triangles are turned and stay") {
+    const auto glued = [](bool is_turned) {
+        std::vector<TopoDS_Shape> blocks{BRepPrimAPI_MakeBox(20, 10, 5).Shape(),
+                                         BRepPrimAPI_MakeBox(gp_Pnt(0, 0, 5), 20, 10, 7).Shape()};
+        if (is_turned) std::swap(blocks[0], blocks[1]);
+        BOPAlgo_Builder glue;
+        for (const TopoDS_Shape& block : blocks) glue.AddArgument(block);
+        glue.Perform();
+        return PartDocument().add("Part", "Part::Feature", glue.Shape()).finish();
+    };
+    for (const int order : {1, 2}) {
+        const auto first = meshed(glued(false), options_of(2, order));
+        const auto second = updated(*first.part_mesh, glued(true), options_of(2, order));
+        CHECK(second.report.fallbacks.empty());
+        CHECK(second.report.kept_tets_share == 1);
+        CHECK(second.report.triangles == first.report.triangles);
+        CHECK(second.part_mesh->mesh.triangle_numbers == first.part_mesh->mesh.triangle_numbers);
+    }
+}
+
 TEST_CASE("a kept node whose elements had to go is not left over") {
     const auto pierced = [](double height, double radius) {
         return PartDocument()
