@@ -94,7 +94,7 @@ def check_forced_angles(document):
     """Where a part's own angles are small, the panel says how good all other elements are."""
     one = Part.makeCylinder(5, 10)
     part = document.addObject("Part::Feature", "Touching")
-    part.Shape = one.fuse(Part.makeCylinder(5, 10, FreeCAD.Vector(9.99, 0, 0)))
+    part.Shape = one.fuse(Part.makeCylinder(5, 10, FreeCAD.Vector(9.97, 0, 0)))
     from freecad.featuremesh import api
     mesh = api.add_mesh(part, 3.0, order=1, join_analysis=False)
     document.recompute()
