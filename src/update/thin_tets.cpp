@@ -5,7 +5,6 @@
 #include <array>
 #include <iterator>
 #include <map>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -132,42 +131,11 @@ std::vector<Entity> touching_faces(const Mesh& mesh, TetId tet) {
     return {};
 }
 
-/// Where many tets are flat between the two sides of walls.
-std::optional<Message> warning_of_thin_walls(const Mesh& mesh, const QualityReport& quality) {
-    constexpr double flat_deg = 10, least_share = 0.05;
-    constexpr std::size_t most_named = 2;
-    const auto least = least_share * double(mesh.tets.size());
-    if (double(quality.below_10) < least) return {};
-    std::size_t flat = 0;
-    std::map<Entity, std::size_t> nodes_on;  // of flat tets, by face
-    for (const auto& tet : mesh.tets) {
-        const auto is_inside = [&](NodeId n) { return mesh.entities[n.index()].dim == 3; };
-        if (std::any_of(tet.begin(), tet.end(), is_inside)) continue;
-        const auto& [a, b, c, d] = tet;
-        if (dihedral_range(mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d)).smallest_deg >= flat_deg)
-            continue;
-        ++flat;
-        for (const NodeId n : tet)
-            if (mesh.entities[n.index()].dim == 2) ++nodes_on[mesh.entities[n.index()]];
-    }
-    if (double(flat) < least || nodes_on.empty()) return {};
-    std::vector<std::pair<std::size_t, Entity>> by_count;
-    for (const auto& [face, count] : nodes_on) by_count.emplace_back(count, face);
-    std::stable_sort(by_count.begin(), by_count.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-    std::vector<Entity> faces;
-    for (const auto& [count, face] : by_count)
-        if (faces.size() < most_named) faces.push_back(face);
-    return say<Code::walls_too_thin>(rounded(100.0 * double(flat) / double(mesh.tets.size()), 2), faces);
-}
-
 }  // namespace
 
 std::vector<Message> warnings_of_thin_tets(const Mesh& mesh, const QualityReport& quality) {
     std::vector<Message> lines;
-    if (auto line = warning_of_split_planes(mesh, quality))
-        lines.push_back(std::move(*line));
-    else if (auto walls = warning_of_thin_walls(mesh, quality))
-        lines.push_back(std::move(*walls));
+    if (auto line = warning_of_split_planes(mesh, quality)) lines.push_back(std::move(*line));
     if (!quality.worst.is_valid() || quality.min_dihedral >= thin_deg) return lines;
     const ForcingDetails details(mesh);
     if (details.tet_count() > 0)

@@ -74,20 +74,6 @@ TEST_CASE("two faces that touch each other are named where the tets between them
     CHECK(code(true) == Code::smallest_angle);
 }
 
-TEST_CASE("walls far thinner than the elements are long are told once, until there are elements across them") {
-    const auto tells_of_walls = [](double thickness, double across) {
-        MeshOptions options = options_of(8);
-        options.sizing.elements_across_gap = across;
-        const PartMeshResult result =
-            meshed(PartDocument().box("Sheet", {0, 0, 0}, {60, 40, thickness}).finish(), options);
-        return std::count_if(result.report.warnings.begin(), result.report.warnings.end(),
-                             [](const auto& line) { return line.code() == Code::walls_too_thin; });
-    };
-    CHECK(tells_of_walls(0.8, 0) == 1);
-    CHECK(tells_of_walls(0.8, 1) == 0);
-    CHECK(tells_of_walls(8, 0) == 0);
-}
-
 TEST_CASE("a rod that is far thinner than the size is meshed in both orders, which is said once") {
     const auto rod = [](double length) { return PartDocument().cylinder("Rod", {0, 0, 0}, 1, length).finish(); };
     for (const int order : {1, 2}) {

@@ -2085,8 +2085,8 @@
       <translation>{script:text} endete mit {code:text}</translation>
     </message>
     <message>
-      <source>{share:number} % of the elements are flat, with an angle below 10 degrees, since walls are far thinner than the elements are long, as at {faces:entities}. Results are poor there: ask for one or two elements across walls (Across walls, ElementsAcrossGap), or for a smaller size; sheets can be meshed as shells.</source>
-      <translation>{share:number} % der Elemente sind flach, mit einem Winkel unter 10 Grad, weil Wände viel dünner sind als die Elemente lang, etwa an {faces:entities}. Ergebnisse sind dort schlecht: ein oder zwei Elemente durch die Wand verlangen (In Wänden, ElementsAcrossGap) oder eine kleinere Größe; Bleche können als Schalen vernetzt werden.</translation>
+      <source>{share:number} % of the elements have angles below 10 degrees, the smallest is {angle:number} degrees, at {place:entities}: stresses are poor there. Where walls are far thinner than the elements are long, ask for one or two elements across them (Across walls), or mesh a sheet as a shell; else mesh finer.</source>
+      <translation>{share:number} % der Elemente haben Winkel unter 10 Grad, der kleinste ist {angle:number} Grad, an {place:entities}: Spannungen sind dort schlecht. Wo Wände viel dünner sind als die Elemente lang, ein oder zwei Elemente durch sie verlangen (In Wänden) oder ein Blech als Schale vernetzen; sonst feiner vernetzen.</translation>
     </message>
     <message>
       <source>{sides:count} {sides:side between faces follows|sides between faces follow} no edge</source>
