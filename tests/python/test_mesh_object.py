@@ -367,7 +367,7 @@ class SmallAngles(unittest.TestCase):
         self.assertRegex(line, r"^%d elements have angles below 10 degrees, the smallest is [\d.]+ degrees, at (Face|Edge)\d.*: stresses are poor there" % quality["below_10"])
 
     def test_those_of_thin_walls_are_told_with_what_to_set(self):
-        self.box.Height = 1
+        self.box.Height = 0.6
         quality, (line,) = self.remarks(self.box, 8)
         self.assertGreater(quality["below_10"], 0)
         self.assertRegex(line, r"^[\d.]+ % of the elements have angles below 10 degrees, .* across them \(Across walls\)")

@@ -8,7 +8,7 @@ from .messages import said
 from .quality import dihedral_angle
 
 _SMALL, _TOLD_BY_ENGINE = 10.0, 2.0   # degrees
-_MANY = 0.05   # of all elements: those between the two sides of walls, and of these finer elements at one place mend few
+_MANY = 0.1   # of all elements: those between the two sides of walls, and of these finer elements at one place mend few
 
 
 def remarks(arrays, quality):
