@@ -306,8 +306,7 @@ namespace {
 class FaceHistory {
   public:
     FaceHistory(const BoundaryPair& pair, const BoundaryMatch& match, const CarriedRegion& region)
-        : pair_(pair),
-          match_(match),
+        : match_(match),
           region_(region),
           finder_(pair, match),
           twins_of_(match.group_of_old_face.size()),
@@ -352,7 +351,6 @@ class FaceHistory {
         return change;
     }
 
-    const BoundaryPair& pair_;
     const BoundaryMatch& match_;
     const CarriedRegion& region_;
     const PartnerFinder finder_;
