@@ -354,7 +354,8 @@ class Stages {
     }
 
   private:
-    /// Without its smallest details, with all of them where it is refused so, and with thin tets as the last resort.
+    /// Without its smallest details, with more of them where it is refused so, then with all, and with thin tets as the
+    /// last resort.
     std::variant<Filled, Message> fill_whole(NextNumbers next) {
         std::vector<double> lengths{length_to_ignore(part_->brep, options_)};
         std::vector<Message> refusals;
