@@ -113,16 +113,19 @@ class SolveGuard(unittest.TestCase):
             self.document.abortTransaction()
             self.assertEqual(self.mesh.Status, mesh_properties.UP_TO_DATE)
 
+    def reopen(self):
+        path = self.folder + "/reopened.FCStd"
+        self.document.saveAs(path)
+        FreeCAD.closeDocument(self.document.Name)
+        self.document = FreeCAD.openDocument(path)
+        self.analysis, self.mesh = self.document.Analysis, self.document.FeatureMesh
+
     def test_an_edit_that_was_not_recomputed_is_solved_by_no_way(self):
         """FreeCAD's "Skip recomputes" leaves shape and mesh as they were, also in a document that is saved so."""
         self.document.RecomputesFrozen = True
         self.edit(50)
         self.refuses("Beam was edited and not recomputed")
-        path = self.folder + "/frozen.FCStd"
-        self.document.saveAs(path)
-        FreeCAD.closeDocument(self.document.Name)
-        self.document = FreeCAD.openDocument(path)
-        self.analysis, self.mesh = self.document.Analysis, self.document.FeatureMesh
+        self.reopen()
         self.refuses("Beam was edited and not recomputed")
         self.document.recompute()
         self.assertEqual((self.problem(), self.document.FeatureMesh.FemMesh.BoundBox.XMax), ("", 50))
@@ -146,11 +149,7 @@ class SolveGuard(unittest.TestCase):
     def test_a_part_that_was_recomputed_alone_before_it_was_saved(self):
         self.part.Length = 50
         self.document.recompute([self.part])
-        path = self.folder + "/alone.FCStd"
-        self.document.saveAs(path)
-        FreeCAD.closeDocument(self.document.Name)
-        self.document = FreeCAD.openDocument(path)
-        self.analysis, self.mesh = self.document.Analysis, self.document.FeatureMesh
+        self.reopen()
         self.refuses("is out of date")
         self.document.recompute()
         self.assertEqual((self.problem(), self.mesh.FemMesh.BoundBox.XMax), ("", 50))
