@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the code is written, as far as tools tell: clang-format (.clang-format) and flake8 (.flake8) have nothing to say, and how long
-design notes are. Runs in plain Python."""
+"""How the code is written, as far as tools tell: clang-format (.clang-format) and flake8 (.flake8) have nothing to say, that no
+test of the engine looks at a clock, and how long design notes are. Runs in plain Python."""
+import re
 import shutil
 import subprocess
 import unittest
@@ -9,6 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("src", "bindings", "tests", "resources", "Mod")
 CLANG_FORMAT = "clang-format-14"   # others break lines elsewhere
+CLOCK = re.compile(r"_clock\b|std::clock\b|<ctime>|<time\.h>")
 
 
 def files(*suffixes):
@@ -30,6 +32,11 @@ class Style(unittest.TestCase):
         scripts = files(".py")
         self.assertGreater(len(scripts), 80)
         self.assertEqual(complaints("flake8", *scripts), "")
+
+    def test_no_test_of_the_engine_looks_at_a_clock(self):
+        """A machine under load failed them; `asked_memory.h` tells how much work something is."""
+        with_clock = [str(path) for path in sorted((ROOT / "tests" / "cpp").rglob("*.[ch]*")) if CLOCK.search(path.read_text(encoding="utf-8"))]
+        self.assertEqual(with_clock, [])
 
     def test_design_notes_are_short(self):
         notes = sorted((ROOT / "docs" / "design").glob("*.md"))

@@ -86,13 +86,10 @@ TEST_CASE("isolated work that somebody ends, or that has too little memory, is a
 TEST_CASE("isolated work ends when it is cancelled") {
     RunContext context;
     context.cancel();
-    const auto start = std::chrono::steady_clock::now();
-    const auto sleep = [](const RunContext&) {
-        std::this_thread::sleep_for(std::chrono::seconds(60));
-        return Bytes(1);
+    const auto sleep = [](const RunContext&) -> Bytes {
+        while (true) std::this_thread::sleep_for(std::chrono::seconds(60));
     };
     CHECK_THROWS_AS(run_isolated(sleep, enough, context), Cancelled);
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));
 }
 
 TEST_CASE("isolated work that does not end is ended with an error") {

@@ -10,7 +10,6 @@
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_Wire.hxx>
-#include <chrono>
 #include <cmath>
 #include <gp_Pln.hxx>
 #include <numbers>
@@ -152,16 +151,10 @@ TEST_CASE("narrow faces ask for nothing where they are not to") {
     CHECK(make_sizing(Brep(ledge(0.4)), options, {}, context).is_uniform());
 }
 
-TEST_CASE("a perforated plate is looked at sooner than it is read") {
-    const auto now = [] { return std::chrono::steady_clock::now(); };
-    const TopoDS_Shape plate = perforated_plate(50);
+TEST_CASE("holes that leave room between them ask for nothing") {
     SizingOptions options;
     options.size = size;
     options.elements_per_circle = 0;
     RunContext context;
-    const auto start = now();
-    const Brep brep(plate);
-    const auto is_read = now();
-    CHECK(make_sizing(brep, options, {}, context).smallest() == size);
-    CHECK(now() - is_read < is_read - start);
+    CHECK(make_sizing(Brep(perforated_plate(10)), options, {}, context).smallest() == size);
 }
