@@ -158,7 +158,8 @@ class Solving(unittest.TestCase):
         reading, writing = os.pipe()
         child = os.fork()
         if not child:
-            calculix.run(mock.Mock(ccx_run=lambda: ccxtools.subprocess.Popen(["sh", "-c", "echo started; for i in $(seq 200); do sleep 0.1; done; echo not ended"], stdout=writing).wait()))
+            command = ["sh", "-c", "echo started; for i in $(seq 200); do sleep 0.1; done; echo not ended"]
+            calculix.run(mock.Mock(ccx_run=lambda: ccxtools.subprocess.Popen(command, stdout=writing).wait()))
             os._exit(0)
         os.close(writing)
         with open(reading, encoding="utf-8") as stream:
