@@ -12,14 +12,23 @@ std::atomic<std::uint64_t> blocks = 0;
 
 }  // namespace
 
-// The other forms of the standard library call these two.
-void* operator new(std::size_t bytes) {
+// All forms, since those of a sanitizer's library do not call these.
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
     ++blocks;
-    if (void* const block = std::malloc(bytes ? bytes : 1)) return block;
+    return std::malloc(bytes ? bytes : 1);
+}
+void* operator new(std::size_t bytes) {
+    if (void* const block = operator new(bytes, std::nothrow)) return block;
     throw std::bad_alloc();
 }
+void* operator new[](std::size_t bytes, const std::nothrow_t& nothrow) noexcept { return operator new(bytes, nothrow); }
+void* operator new[](std::size_t bytes) { return operator new(bytes); }
 void operator delete(void* block) noexcept { std::free(block); }
 void operator delete(void* block, std::size_t) noexcept { std::free(block); }
+void operator delete(void* block, const std::nothrow_t&) noexcept { std::free(block); }
+void operator delete[](void* block) noexcept { std::free(block); }
+void operator delete[](void* block, std::size_t) noexcept { std::free(block); }
+void operator delete[](void* block, const std::nothrow_t&) noexcept { std::free(block); }
 
 namespace featuremesh::test {
 
