@@ -17,7 +17,8 @@ import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from analyses import held_and_pushed, quantity  # noqa: E402
 from PySide import QtGui  # noqa: E402
-from window import click, click_button_of, click_in_panel, figures, is_whole, on_the_screen, panel, picture, pixels, report_view, spin, type_into, wait_for  # noqa: E402
+from window import (click, click_button_of, click_in_panel, figures, greens, hues, is_whole, on_the_screen, panel, picture, pixels, report_view,  # noqa: E402
+                    spin, type_into, wait_for)
 
 
 @contextlib.contextmanager
@@ -47,16 +48,6 @@ def no_solution_ends():
             yield
         finally:
             may_end.set()
-
-
-def hues(seen):
-    """How many pixels have a strong colour."""
-    return int(((seen.max(axis=2) - seen.min(axis=2)) > 90).sum())
-
-
-def greens(seen):
-    """How many pixels are green, which neither the background nor FreeCAD's own colour of a mesh is."""
-    return int((seen[:, :, 1] - seen[:, :, (0, 2)].max(axis=2) > 50).sum())
 
 
 def check_command(document, live_panel, mesh):
@@ -220,15 +211,11 @@ def check_edits_on_the_way(document, live, mesh):
     from freecad.featuremesh import live_result
     from freecad.featuremesh.gui import live_runner
     mesh.Size = 1.2
-    early, live_result.solve_early = live_result.solve_early, None   # else it may be solved when the recompute ends
-    document.recompute()
-    live_result.solve_early = early
+    with mock.patch.object(live_result, "solve_early", None):   # else it may be solved when the recompute ends
+        document.recompute()
     wait_for(lambda: live_runner.run_of(live) is not None and live_runner.run_of(live).running is not None, 60)
-    run = live_runner.run_of(live)
-    first = run.running
-    bars = [widget for widget in Gui.getMainWindow().statusBar().findChildren(QtGui.QWidget) if widget.objectName() == "FeatureMeshLiveBar"]
-    wait_for(lambda: bars or first.is_done() or [w for w in Gui.getMainWindow().statusBar().findChildren(QtGui.QWidget)
-                                                  if w.objectName() == "FeatureMeshLiveBar"], 20)
+    first = live_runner.run_of(live).running
+    wait_for(lambda: first.is_done() or Gui.getMainWindow().statusBar().findChildren(QtGui.QWidget, "FeatureMeshLiveBar"), 20)
     picture("live_solving")
     for x in (24, 23, 22):
         document.getObject("HoleSketch").setDatum("X", FreeCAD.Units.Quantity("%g mm" % x))
@@ -251,6 +238,20 @@ def check_edits_on_the_way(document, live, mesh):
     assert not [w for w in Gui.getMainWindow().statusBar().findChildren(QtGui.QWidget) if w.objectName() == "FeatureMeshLiveBar"]
     solution = live.Proxy.solution
     assert np.array_equal(solution.arrays["points"], mesh.Proxy.arrays(mesh)["points"])
+
+
+def check_waiting_for_the_engine(live):
+    """While FreeCAD's own thread waits for the engine, nothing begins that may have to wait for that."""
+    from freecad.featuremesh import live_result, waiting
+    from freecad.featuremesh.gui import live_runner
+    with mock.patch.object(live_runner._Run, "_begin") as begin:
+        live_runner.solve(live)
+        for _ in range(5):
+            time.sleep(0.05)   # longer than between two looks
+            waiting.let_the_window_live()
+        assert not begin.called and not waiting.is_waiting()
+        wait_for(lambda: begin.called)
+    wait_for(lambda: live.Status == live_result.UP_TO_DATE, 100)
 
 
 def check_cancel(document, live_panel, live):
@@ -580,6 +581,7 @@ def drive():
     check_edit(document, shown, live)
     check_load_after_mesh(document, live, mesh)
     check_edits_on_the_way(document, live, mesh)
+    check_waiting_for_the_engine(live)
     check_cancel(document, shown, live)
     check_analysis_deleted(document, live)
     check_copy(document, live)

@@ -42,6 +42,16 @@ def pixels():
     return on_the_screen()
 
 
+def hues(seen):
+    """How many pixels have a strong colour."""
+    return int(((seen.max(axis=2) - seen.min(axis=2)) > 90).sum())
+
+
+def greens(seen):
+    """How many pixels are green, which neither the background nor FreeCAD's own colour of a mesh is."""
+    return int((seen[:, :, 1] - seen[:, :, (0, 2)].max(axis=2) > 50).sum())
+
+
 def on_the_screen():
     """The same without waiting for anything."""
     image = QtGui.QGuiApplication.primaryScreen().grabWindow(0).toImage().convertToFormat(QtGui.QImage.Format_RGB32)

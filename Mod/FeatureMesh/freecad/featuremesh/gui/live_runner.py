@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui as Gui
 from PySide import QtCore, QtGui
 
-from .. import live_result, mesh_object, solve_guard
+from .. import live_result, mesh_object, solve_guard, waiting
 from ..errors import UserError
 from .running import RunningJob, step_in_words
 
@@ -130,7 +130,7 @@ class _Run:
         if not self._is_there():
             self.stop()
             return
-        if self.live.Document.Recomputing:
+        if self.live.Document.Recomputing or waiting.is_waiting():
             return
         if self.running is None:
             self._begin() if self._is_wanted else self.stop()   # the recompute failed
