@@ -301,6 +301,8 @@ class Edits(unittest.TestCase):
             self.assertEqual(box.Proxy.made, (box.Length.Value, box.Width.Value))
         with self.assertRaisesRegex(UserError, "cannot recompute Box: "):
             api.edit(self.document, ["Box.Length=20", "Box.Width=15"])
+        self.assertTrue(box.isValid())
+        self.assertEqual(box.Proxy.made, (1, 12.7))
         with self.assertRaisesRegex(UserError, "cannot read the edit 'Length=3'"):
             api.edit(self.document, "Length=3")
 

@@ -183,7 +183,7 @@ def set_parameters(document, assignments):
 
 def edit(document, assignments):
     """set_parameters and recompute in one; returns the seconds. What FreeCAD cannot recompute when all of it is set at once is set one by one, in this order or in
-    the other: since 1.0 a fillet may lose an edge that two dimensions move at once. Throws UserError."""
+    the other: since 1.0 a fillet may lose an edge that two dimensions move at once. Throws UserError, and what was set is as it was before."""
     refuse_no_document(document)
     assignments = [assignments] if isinstance(assignments, str) else list(assignments)
     before = [edits.value_before(document, assignment) for assignment in assignments]
@@ -193,6 +193,8 @@ def edit(document, assignments):
         for one_by_one in (assignments, assignments[::-1]) if len(assignments) > 1 else ():
             with contextlib.suppress(UserError):
                 return sum(_recompute_with(document, step) for step in (before, *one_by_one))
+        with contextlib.suppress(UserError):
+            _recompute_with(document, before)
         raise
 
 
