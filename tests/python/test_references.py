@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """References as a click makes them and as a script does: both mean the same faces of the meshed part."""
+import math
 import os
 import shutil
 import tempfile
@@ -129,6 +130,18 @@ class FragmentsOfBoxes(unittest.TestCase):
                 self.assertLess((force.DirectionVector - before).Length, 1e-9)
                 for name in ["FeatureMesh", "Force", "Fixed", "Steel", "Analysis", "Fragments"]:
                     self.document.removeObject(name)
+
+    def test_a_solid_is_all_its_pieces(self):
+        """Also a core, all of whose faces are between two solids."""
+        core = self.document.addObject("Part::Cylinder", "Core")
+        core.Radius, core.Height, core.Placement.Base = 2, 5, FreeCAD.Vector(5, 5, 2)
+        part, volume_of_core = self.fragments_of(self.left, self.right, core), 20 * math.pi
+        volumes = {"Core": [volume_of_core], "Left": [volume_of_core, 1000 - volume_of_core], "Right": [1000]}
+        for name, expected in volumes.items():
+            names = resolving.Resolver(part).names(self.document.getObject(name), "Solid1")
+            found = [part.Shape.Solids[int(own[len("Solid"):]) - 1].Volume for own in names]
+            for volume, known in zip(sorted(found), expected, strict=True):
+                self.assertAlmostEqual(volume, known, delta=1e-6 * known)
 
     def test_what_was_cut_off_a_moved_body_has_nothing(self):
         """A face of an earlier feature is where its body is, not where another face of the part happens to be."""

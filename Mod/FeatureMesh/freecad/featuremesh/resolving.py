@@ -23,6 +23,7 @@ _MAPPED = ";"   # in front of an element's longer name, which selections have be
 _ELEMENT = re.compile(r"(Face|Edge|Vertex|Solid)(\d+)$")
 _ANALYTIC = {"Face": ("Part::GeomPlane", "Part::GeomCylinder", "Part::GeomCone", "Part::GeomSphere", "Part::GeomToroid"), "Edge": ("Part::GeomLine", "Part::GeomCircle")}
 _STEPS = 6   # between the points at which a free form is looked at
+_INWARDS = 1e-4   # of a solid's size, from its faces to points inside
 _MEMBERS = {"Face": "Faces", "Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
 
 
@@ -146,13 +147,13 @@ class Resolver:
                 found = traced.get(element, [])
                 self._found[feature, element] = found + self._more_on(feature, element, found)
             return self._found[feature, element]
-        solids = feature.Shape.Solids
-        index = int(element[len("Solid"):]) - 1
-        if index >= len(solids):
+        shape = self._where_it_is(feature)
+        if not is_element_of(shape, element):
             return []
-        numbers = [number for number, face in enumerate(feature.Shape.Faces, 1) if any(face.isSame(own) for own in solids[index].Faces)]
+        solid = shape.Solids[int(element[len("Solid"):]) - 1]
+        numbers = [number for number, face in enumerate(shape.Faces, 1) if any(face.isSame(own) for own in solid.Faces)]
         faces = [name for number in numbers for name in traced.get("Face%d" % number, [])]
-        return solids_around(self.part.Shape, faces)
+        return _solids_within(self.part.Shape, solid) or solids_around(self.part.Shape, faces)
 
     def _more_on(self, feature, element, found):
         """Names of more faces (edges) of the part that lie wholly on that one of the feature, which the engine does not tell: those between two solids, and
@@ -265,6 +266,16 @@ def solids_around(shape, faces):
     return ["Solid%d" % (i + 1) for i, count in enumerate(shared) if count and count == max(shared)]
 
 
+def _solids_within(shape, whole):
+    """Names of the solids of `shape` that are pieces of the solid `whole`, as boolean fragments make them."""
+    found = []
+    for number, solid in enumerate(shape.Solids, 1):
+        points, tolerance = list(_points_inside(solid)), 1e-3 * _INWARDS * solid.BoundBox.DiagonalLength
+        if points and all(whole.isInside(point, tolerance, False) for point in points):
+            found.append("Solid%d" % number)
+    return found
+
+
 def is_between_solids(shape, name):
     """Is that a face of two of the shape's solids?"""
     return name.startswith("Face") and _is_among(shape.getElement(name), _faces_between(shape.Solids))
@@ -309,6 +320,16 @@ def _points_of(element):
     low_u, high_u, low_v, high_v = element.ParameterRange
     inside = ((low_u + (high_u - low_u) * i / _STEPS, low_v + (high_v - low_v) * j / _STEPS) for i in range(1, _STEPS) for j in range(1, _STEPS))
     yield from (element.valueAt(u, v) for u, v in inside if element.isPartOfDomain(u, v))
+
+
+def _points_inside(solid):
+    """A point of the solid below each of its faces."""
+    for face in solid.Faces:
+        low_u, high_u, low_v, high_v = face.ParameterRange
+        spots = [(low_u + (high_u - low_u) * i / _STEPS, low_v + (high_v - low_v) * j / _STEPS) for i in range(1, _STEPS) for j in range(1, _STEPS)]
+        spot = next((spot for spot in spots if face.isPartOfDomain(*spot)), None)
+        if spot is not None:
+            yield face.valueAt(*spot) - face.normalAt(*spot) * _INWARDS * solid.BoundBox.DiagonalLength
 
 
 def _lies_on(point, element, tolerance):
