@@ -72,20 +72,25 @@ def plain_pairs(obj, name="References"):
 
 def settle(objects, resolver):
     """Lets `objects` refer to the meshed part itself: what was clicked names the tip of a body, which may be deleted, or a step before it."""
-    for obj in objects:
-        for name, meant in _meant_along(obj, resolver).items() if may_change(obj, resolver) else ():
-            _refer(obj, resolver.bearer, meant, name)
-        pairs = pairs_of(obj)
-        if all(target is resolver.bearer and LOST not in sub for target, sub in pairs) or not may_change(obj, resolver) or "" in (sub for _, sub in pairs):
-            continue
-        meant = [resolver.names(target, sub) for target, sub in pairs]
-        if all(meant):
-            normal = FreeCAD.Vector(getattr(obj, "DirectionVector", FreeCAD.Vector()))
-            obj.References = [(resolver.bearer, tuple(dict.fromkeys(name for names in meant for name in names)))]
-            if is_between_solids(resolver.part.Shape, meant[0][0]):   # it has the normal of either of them
-                _keep_sign(obj, normal)
-            if getattr(obj, CLICKED, None):
-                setattr(obj, CLICKED, [])
+    with not_touched(objects):
+        for obj in objects:
+            _settle(obj, resolver)
+
+
+def _settle(obj, resolver):
+    for name, meant in _meant_along(obj, resolver).items() if may_change(obj, resolver) else ():
+        _refer(obj, resolver.bearer, meant, name)
+    pairs = pairs_of(obj)
+    if all(target is resolver.bearer and LOST not in sub for target, sub in pairs) or not may_change(obj, resolver) or "" in (sub for _, sub in pairs):
+        return
+    meant = [resolver.names(target, sub) for target, sub in pairs]
+    if all(meant):
+        normal = FreeCAD.Vector(getattr(obj, "DirectionVector", FreeCAD.Vector()))
+        obj.References = [(resolver.bearer, tuple(dict.fromkeys(name for names in meant for name in names)))]
+        if is_between_solids(resolver.part.Shape, meant[0][0]):   # it has the normal of either of them
+            _keep_sign(obj, normal)
+        if getattr(obj, CLICKED, None):
+            setattr(obj, CLICKED, [])
 
 
 def note_clicks(obj):
@@ -163,7 +168,7 @@ def follow(obj, known, resolver, numbering):
 
 @contextmanager
 def not_touched(objects):
-    """For refinements and groups of the mesh that is being made: FreeCAD would make it once more for those whose references are moved meanwhile."""
+    """While references are written otherwise: that is no edit. For refinements and groups of the mesh that is being made FreeCAD would make it once more."""
     untouched = [obj for obj in objects if "Touched" not in obj.State]
     yield
     for obj in untouched:
