@@ -143,6 +143,23 @@ class FragmentsOfBoxes(unittest.TestCase):
             for volume, known in zip(sorted(found), expected, strict=True):
                 self.assertAlmostEqual(volume, known, delta=1e-6 * known)
 
+    def test_a_core_keeps_its_material(self):
+        """All of its faces are faces of what is around it, too."""
+        core, analysis = self.document.addObject("Part::Box", "Core"), ObjectsFem.makeAnalysis(self.document, "Analysis")
+        core.Length, core.Width, core.Height, core.Placement.Base = 5, 5, 5, FreeCAD.Vector(2.5, 2.5, 2.5)
+        part = self.fragments_of(self.left, core)
+        volumes = {"Solid%d" % number: solid.Volume for number, solid in enumerate(part.Shape.Solids, 1)}
+        materials = [ObjectsFem.makeMaterialSolid(self.document, name) for name in ("Around", "Within")]
+        for material, name in zip(materials, sorted(volumes, key=volumes.get, reverse=True)):
+            material.Material, material.References = STEEL, [(part, name)]
+            analysis.addObject(material)
+        api.add_mesh(part, 4.0, order=1, active_analysis=analysis)
+        self.document.recompute()
+        core.Height, core.Placement.Base.x = 6, 3
+        self.document.recompute()
+        found = [round(part.Shape.Solids[int(name[len("Solid"):]) - 1].Volume) for material in materials for _, name in names_of(material)]
+        self.assertEqual(found, [850, 150])
+
     def test_what_was_cut_off_a_moved_body_has_nothing(self):
         """A face of an earlier feature is where its body is, not where another face of the part happens to be."""
         body = plate_with_hole(self.document)

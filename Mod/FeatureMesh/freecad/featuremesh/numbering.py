@@ -42,7 +42,7 @@ class Numbering:
         if index >= len(olds):
             return []
         images = [self._became.get(face, set()) for face in old_faces[index]]
-        found = _best_overlap(images, new_faces) if kind == "Solid" else \
+        found = self._best_overlap(index, old_faces, new_faces) if kind == "Solid" else \
             [i for i, around in enumerate(new_faces) if len(around) == len(images) and all(image & around for image in images)]
         if len(found) != 1:
             tolerance = _SAME_PLACE * self._new_shape.BoundBox.DiagonalLength
@@ -56,6 +56,12 @@ class Numbering:
             is_choice = len(staying) != 1 and kind != "Solid" and len(alike) == len(found)
             found = self._lying_alike(index, alike, found, olds, news) if is_choice else staying
         return ["%s%d" % (kind, found[0] + 1)] if len(found) == 1 else []
+
+    def _best_overlap(self, index, olds, news):
+        """The solids after (sets of faces) that have most faces of the one before; one that has more of another before, which is around this one, is that."""
+        images = [set().union(*(self._became.get(face, set()) for face in around)) for around in olds]
+        shared = [len(images[index] & around) for around in news]
+        return [i for i, count in enumerate(shared) if count and count == max(shared) and all(len(image & news[i]) <= count for image in images)]
 
     def _lying_alike(self, index, alike, found, olds, news):
         """Of as many members after as before, all with the same faces, the one that lies among them as `index` did; none where that leaves a choice."""
@@ -107,13 +113,6 @@ def _around(shape, members):
 
 def _name(member, known):
     return next(name for other, name in known[member.hashCode()] if other.isSame(member))
-
-
-def _best_overlap(images, candidates):
-    """The candidates (sets of faces) that share most faces with the images."""
-    image = set().union(*images) if images else set()
-    shared = [len(image & around) for around in candidates]
-    return [i for i, count in enumerate(shared) if count and count == max(shared)]
 
 
 def _places_among(members):
