@@ -180,6 +180,23 @@ class Solving(unittest.TestCase):
             self.assertEqual(api.solve_analysis(analysis, "ccx")["solver"], "CalculiX")
         self.assertEqual(len([member for member in analysis.Group if hasattr(member, "AnalysisType")]), 1)
 
+    def test_reinforced_concrete(self):
+        """CalculiX solves it, and FreeCAD tells from its stresses how much of it is to be steel."""
+        part = self.document.addObject("Part::Box", "Beam")
+        self.document.recompute()
+        analysis = analysis_of(self.document, part, [])
+        concrete = ObjectsFem.makeMaterialReinforced(self.document, "Concrete")
+        concrete.Material = {"Name": "Concrete", "YoungsModulus": "32000 MPa", "PoissonRatio": "0.17", "Density": "2400 kg/m^3",
+                             "CompressiveStrength": "30 MPa", "AngleOfFriction": "30 deg"}
+        concrete.Reinforcement = {"Name": "Steel", "YieldStrength": "500 MPa"}
+        analysis.addObject(concrete)
+        api.add_mesh(part, 5.0)
+        self.document.recompute()
+        report = api.solve_analysis(analysis)
+        self.assertAlmostEqual(report["responses"]["mass_kg"], 2.4e-3, places=9)
+        self.assertEqual([english(line) for line in report["warnings"]], ["solved with CalculiX: the live solver does not know Concrete (MaterialReinforced)"])
+        self.assertGreater(max(self.document.getObject(report["result"]).ReinforcementRatio_x), 0)
+
     def test_two_materials_in_one_part(self):
         _, _, fragments, names = self.two_boxes()
         self.assertEqual(len(fragments.Shape.Solids), 2)

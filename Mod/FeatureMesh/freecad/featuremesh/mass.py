@@ -34,8 +34,7 @@ def of_part(part, analysis, arrays):
     resolver, entities = Resolver(part), EntityGroups(arrays)
     members = analyses.members_of(analysis) if analysis else []
 
-    def by_element(fem_type, what, value_of, numbers_of):
-        found = [member for member in members if femutils.is_of_type(member, fem_type)]
+    def by_element(found, what, value_of, numbers_of):
         if not found:
             raise UserError(said("the mass needs an analysis with a {what:messages}", what=what))
         return _by_element(arrays[own], what, [(numbers, value_of(member)) for member, numbers in zip(found, numbers_of(found))])
@@ -48,9 +47,11 @@ def of_part(part, analysis, arrays):
         return [groups.get(member.Name + "_Volumes", ()) for member in found]
 
     sizes = contents(arrays["points"], arrays[kind])
-    each = by_element("Fem::MaterialCommon", said("material"), _density, of_solids if kind == "tets" else named) * sizes
+    each = by_element(materials.materials_among(members), said("material"), _density, of_solids if kind == "tets" else named) * sizes
     if kind in _SECTIONS:
-        each *= by_element(*_SECTIONS[kind], _thickness if kind == "triangles" else _section, named)
+        fem_type, what = _SECTIONS[kind]
+        sections = [member for member in members if femutils.is_of_type(member, fem_type)]
+        each *= by_element(sections, what, _thickness if kind == "triangles" else _section, named)
     return float(each.sum()) * whole(part, kind) / float(sizes.sum()) * statics.TONNE
 
 

@@ -14,6 +14,11 @@ from .resolving import pairs_of, path_of
 _POINTS_PER_SOLID = 8
 
 
+def materials_among(members):
+    """Those of an analysis's members, reinforced ones, too, whose own values are those of what is reinforced."""
+    return [member for member in members if member.isDerivedFrom("App::MaterialObject")]
+
+
 def material_groups(materials, resolver, entities):
     """One volume group per material, but only if together they cover every tet once: else none, and FreeCAD searches itself."""
     claimed, groups, rest = [], [], None

@@ -11,7 +11,7 @@ from femtools import constants, femutils
 from . import analyses, engine, resolving, solvers, versions
 from .errors import UserError
 from .hand_over import EntityGroups
-from .materials import material_groups
+from .materials import material_groups, materials_among
 from .messages import said
 from .reading import describe
 from .references import ACTS_ON_NOTHING, ELSEWHERE
@@ -99,7 +99,7 @@ class _Reader:
         self.row_of = np.full(int(self.arrays["node_numbers"].max(initial=0)) + 1, -1)
         self.row_of[self.arrays["node_numbers"]] = np.arange(len(self.arrays["node_numbers"]))
         members = analyses.members_of(analysis)
-        materials = [member for member in members if femutils.is_of_type(member, "Fem::MaterialCommon")]
+        materials = materials_among(members)
         self._read_materials(materials)
         _check_solver(analysis)
         for member in members:
@@ -107,8 +107,7 @@ class _Reader:
                 continue
             read = next((read for kind, read in _READERS if femutils.is_of_type(member, kind)), None)
             if read is None:
-                raise NotUnderstood(said("the live solver does not know {member:text} ({kind:text})", member=describe(member),
-                                         kind=_kind_of(member)))
+                raise _not_known(member)
             if getattr(member, "EnableAmplitude", False):
                 raise NotUnderstood(said("the live solver does not know the amplitude of {member:text}", member=describe(member)))
             read(self, member)
@@ -131,6 +130,8 @@ class _Reader:
 
     def _material(self, material):
         values = material.Material
+        if not femutils.is_of_type(material, "Fem::MaterialCommon"):   # a reinforced one, of whose results CalculiX's reader knows more
+            raise _not_known(material)
         if getattr(material, "Category", "Solid") != "Solid":
             raise NotUnderstood(said("the live solver knows solids only, not the fluid {material:text}", material=describe(material)))
         try:
@@ -337,6 +338,10 @@ def _check_solver(analysis):
     if beyond is not None:
         raise NotUnderstood(said("the live solver knows linear statics only, and {solver:text} asks for {setting:text} = {value:text}",
                                  solver=describe(solver), setting=beyond[0], value=beyond[1]))
+
+
+def _not_known(member):
+    return NotUnderstood(said("the live solver does not know {member:text} ({kind:text})", member=describe(member), kind=_kind_of(member)))
 
 
 def _kind_of(member):
