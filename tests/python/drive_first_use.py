@@ -150,6 +150,8 @@ def solve_by_hand(document):
     wait_for(lambda: results_of(document))
     result, = results_of(document)
     figures.append("CalculiX: displacement up to %.4f mm" % max(result.DisplacementLengths))
+    in_one_place = [obj for obj in document.Objects if obj.isDerivedFrom("Fem::FemMeshObject") or obj.isDerivedFrom("Fem::FemPostPipeline")]
+    assert [obj.Visibility for obj in in_one_place].count(True) == 1, [(obj.Label, obj.Visibility) for obj in in_one_place]
     double_click(*item_of_tree(result.Label))
     wait_for(Gui.Control.activeDialog)
     click(next(w for w in Gui.getMainWindow().findChildren(QtGui.QRadioButton) if w.objectName() == "rb_vm_stress"))

@@ -164,10 +164,11 @@ class _Observer:
 
 def _hide_what_it_covers(obj):
     """Of the live results of an analysis and what FreeCAD draws of its results, in the same place, that is seen which was shown last; of a new result of
-    CalculiX there is its bare mesh alone, which FEM's panel of results colours."""
+    CalculiX there is its bare mesh alone, which FEM's panel of results colours: it would be seen through the next mesh."""
     if obj.isDerivedFrom("Fem::FemResultObject"):
         above = _analyses_above(obj)
-        if obj.Mesh is not None and any(live.Visibility and above & _analyses_above(live) for live in filter(is_live_result, obj.Document.Objects)):
+        if obj.Mesh is not None and any(other.Visibility and above & _analyses_above(other) for other in obj.Document.Objects
+                                        if is_live_result(other) or is_feature_mesh(other)):
             _set_visible([obj.Mesh], False)
         return
     is_drawn = obj.isDerivedFrom(_POST)
