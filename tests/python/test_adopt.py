@@ -60,7 +60,9 @@ class Adopt(unittest.TestCase):
         analysis.addObject(foreign)
         named = ObjectsFem.makeMeshGroup(self.document, foreign)
         named.References = [(self.body, "Face1")]
+        self.document.recompute()
         mesh, report = api.adopt_mesh(foreign)
+        self.assertNotIn("Touched", analysis.State)
         self.assertIsNone(report["fallback"])
         self.assertEqual(report["kept"]["nodes_share"], 1.0)
         before = {number: tuple(point) for number, point in foreign.FemMesh.Nodes.items()}

@@ -102,9 +102,11 @@ def mesh_of_member(member):
     return next((source_of(mesh) for analysis in directly_holding(member) for mesh in meshes_of(analysis) if is_ours(mesh)), None)
 
 
-def take_in(analysis, obj):
-    """Adds the object. FreeCAD would mark the analysis for a recompute, which makes nothing of it."""
+def take_in(analysis, obj, in_place_of=()):
+    """Adds the object, in place of others. FreeCAD would mark the analysis for a recompute, which makes nothing of it."""
     was_touched = "Touched" in analysis.State
+    for other in in_place_of:
+        analysis.removeObject(other)
     analysis.addObject(obj)
     if not was_touched:
         analysis.purgeTouched()

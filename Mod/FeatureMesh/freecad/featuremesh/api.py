@@ -94,9 +94,7 @@ def _take_what_belongs_to(foreign, mesh):
 def _take_place_of(replaced, mesh):
     """Of these meshes, in the analysis of the first of them that is in one."""
     for analysis in next(filter(None, map(analyses.directly_holding, replaced)), []):
-        for other in set(analysis.Group).intersection(replaced):
-            analysis.removeObject(other)
-        analysis.addObject(mesh)
+        analyses.take_in(analysis, mesh, set(analysis.Group).intersection(replaced))
 
 
 def update_mesh(mesh, full=False, progress=None):
