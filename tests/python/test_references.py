@@ -143,6 +143,19 @@ class FragmentsOfBoxes(unittest.TestCase):
             for volume, known in zip(sorted(found), expected, strict=True):
                 self.assertAlmostEqual(volume, known, delta=1e-6 * known)
 
+    def test_a_local_size_in_one_of_two_solids(self):
+        part = self.fragments_of(self.left, self.right)
+        mesh = api.add_mesh(part, 5.0, order=1)
+        self.document.recompute()
+        before = mesh.TetCount
+        region = api.add_local_size(mesh, [(self.right, "Solid1")], 1.5)
+        self.document.recompute()
+        (_, name), = names_of(region)
+        self.assertGreater(part.Shape.Solids[int(name[len("Solid"):]) - 1].CenterOfMass.x, 10)
+        self.assertGreater(mesh.TetCount, 4 * before)
+        with self.assertRaisesRegex(UserError, "the size of a whole part is the mesh's own"):
+            api.add_local_size(mesh, ["Solid1", "Solid2"])
+
     def test_a_core_keeps_its_material(self):
         """All of its faces are faces of what is around it, too."""
         core, analysis = self.document.addObject("Part::Box", "Core"), ObjectsFem.makeAnalysis(self.document, "Analysis")

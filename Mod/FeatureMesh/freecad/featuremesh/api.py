@@ -261,12 +261,12 @@ def estimated_tets(raw, options):
 
 
 def add_local_size(mesh, references, size=None):
-    """Adds an FEM mesh refinement: `size` (mm, by default half the mesh size) on faces, edges or vertices of the part.
+    """Adds an FEM mesh refinement: `size` (mm, by default half the mesh size) on faces, edges or vertices of the part, or in one of several solids.
 
     `references` are names of the part, such as "Face3", or (object, "Face3") pairs as a selection or the References of another object have them: of the part,
     of a feature of it, or through a link or container; None for none yet. Throws UserError when there are none, or when they are not on the part.
     """
-    names = _refined_names(mesh, references)
+    names = _refined_names(mesh, references, some_solids=True)
     region = ObjectsFem.makeMeshRegion(mesh.Document, mesh, _size_of(mesh, size))
     region.References = _references(mesh, names)
     return region
@@ -574,9 +574,11 @@ def _names_on_part(mesh, references, request):
     return list(dict.fromkeys(name for _, _, names in meant for name in names))
 
 
-def _refined_names(mesh, references):
+def _refined_names(mesh, references, some_solids=False):
+    """With `some_solids` a part of several solids may be refined in some of them."""
     names = _names_on_part(mesh, references, QT_TRANSLATE_NOOP("FeatureMesh", "select faces, edges or vertices of {part:text}{foreign:messages}"))
-    if any(name.startswith("Solid") for name in names):
+    solids = sum(name.startswith("Solid") for name in names)
+    if solids and not (some_solids and solids < part_to_mesh(mesh).Shape.countElement("Solid")):
         raise UserError(said("a local size is for faces, edges or vertices; the size of a whole part is the mesh's own"))
     return names
 
