@@ -188,6 +188,25 @@ class MixedMeshes(unittest.TestCase):
         self.assertTrue(any("Face7 (Sheet) in Solid1" in english(line) for line in json.loads(mesh.Report)["warnings"]), mesh.Report)
 
 
+    def test_a_datum_plane_by_which_a_body_is_cut_goes_on_beside_it(self):
+        document = new_document()
+        body = document.addObject("PartDesign::Body", "Body")
+        box, plane = body.newObject("PartDesign::AdditiveBox", "Box"), body.newObject("PartDesign::Plane", "Plane")
+        box.Length = box.Width = box.Height = 10
+        plane.Placement = placement(0, 0, 4)
+        document.recompute()
+        halves = BOPTools.SplitFeatures.makeBooleanFragments("Halves")
+        halves.Objects = [body, plane]
+        document.recompute()
+        mesh = api.add_mesh(halves, 5, 1)
+        for mesh.Dimension, status in (("Solids", "up to date"), ("From shape", "of Halves has no end")):
+            document.recompute()
+            self.assertRegex(mesh.Status, status)
+        halves.Mode = "CompSolid"
+        document.recompute()
+        self.assertEqual(mesh.Status, "up to date")
+
+
 class MixedAnalyses(unittest.TestCase):
 
     def solved(self, both, kind, mesh_of):

@@ -585,6 +585,7 @@ def options_of(mesh, part, raw=None, refined=None, settings=None):
     options["order"] = 2 if values["Order"] == "2nd" else 1
     if values["Dimension"] != FROM_SHAPE:
         options["dimension"] = values["Dimension"].lower()
+    too_fine.refuse_endless(part, values["Dimension"])
     options["min_size"] = options["min_size"] or AUTOMATIC_SHARE * options["size"]
     refined = refined or refinements.read(mesh, part, raw)
     too_fine.refuse_too_fine(part.Shape, options["size"], options["growth"], refined.at_entities())

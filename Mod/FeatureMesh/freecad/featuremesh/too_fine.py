@@ -9,6 +9,7 @@ import math
 
 from .errors import UserError
 from .messages import said
+from .reading import describe
 
 MOST = 50e6             # elements; the engine refuses more, too
 MOST_AROUND = 10e6      # elements around one face or edge: far below what takes the sizing field minutes
@@ -16,6 +17,7 @@ _MARGIN = 1.5           # of this estimate
 _PER_CUBE = 7.1         # elements per cube of the edge length, as the engine's own estimate has it
 _PER_FINER = 8.9        # where sizes grow, likewise
 _COUNTLESS = 1e12
+_ENDLESS = 1e99         # mm^2
 
 
 def refuse_too_fine(shape, size, growth, refinements):
@@ -39,6 +41,16 @@ def refuse_too_fine(shape, size, growth, refinements):
                 said("around one face or edge at most {most:count} million are made", most=round(MOST_AROUND / 1e6)))
     if total > _MARGIN * MOST:
         _refuse(total, entity, local, name, said("at most {most:count} million are made", most=round(MOST / 1e6)))
+
+
+def refuse_endless(part, dimension):
+    """Throws UserError for a face beside the solids that is meshed and has no end: what Boolean Fragments leave of a datum plane around the part that it cuts."""
+    shape = part.Shape
+    if dimension != "Solids" and any(piece.ShapeType in ("Face", "Shell") for piece in shape.SubShapes):
+        endless = ["Face%d" % number for number, face in enumerate(shape.Faces, 1) if not 0 < face.Area < _ENDLESS]
+        if endless:
+            raise UserError(said("{faces:entities} of {part:text} has no end, as a piece of a datum plane: set the Mode of the Boolean Fragments to CompSolid, or mesh Solids",
+                                 faces=endless, part=describe(part)))
 
 
 def least_tets(shape, size):

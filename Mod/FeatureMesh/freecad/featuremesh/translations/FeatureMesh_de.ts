@@ -1725,6 +1725,10 @@
       <translation>{elements:count} {elements:Element|Elemente} fast ohne Volumen {elements:bleibt|bleiben} bei {faces:entities}; dort feiner vernetzen, oder weglassen, was viel kleiner als der Rest des Bauteils ist</translation>
     </message>
     <message>
+      <source>{faces:entities} of {part:text} has no end, as a piece of a datum plane: set the Mode of the Boolean Fragments to CompSolid, or mesh Solids</source>
+      <translation>{faces:entities} von {part:text} hat kein Ende, wie ein Stück einer Bezugsebene: bei den booleschen Fragmenten als Modus CompSolid wählen, oder nur Volumenkörper vernetzen</translation>
+    </message>
+    <message>
       <source>{feature:text}: its link to {object:text} leads to nothing</source>
       <translation>{feature:text}: die Verknüpfung mit {object:text} führt ins Leere</translation>
     </message>
