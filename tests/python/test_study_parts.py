@@ -571,6 +571,7 @@ class Keeping(unittest.TestCase):
                 "      1   0.4E+08   0.6E+04   0.1E+04   0.0E+00\n      2   0.9E+08   0.9E+04   0.15E+04   0.0E+00\n\n"
                 "     P A R T I C I P A T I O N   F A C T O R S\n\n      1   0.5E+00   0.0E+00   0.0E+00   0.0E+00\n")
         self.assertEqual(modes.read(text, "frequency"), [1000.0, 1500.0])
+        self.assertEqual(modes.read("\n".join(line for line in text.splitlines() if "0.4E+08" not in line), "frequency"), [1500.0])   # one below what was asked for
         self.assertEqual(modes.read("     B U C K L I N G   F A C T O R   O U T P U T\n\n      1   0.5E+02\n      2   0.7E+02\n", "buckling"), [50.0, 70.0])
 
     def test_time_left_is_that_of_what_was_measured(self):
