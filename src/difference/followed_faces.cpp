@@ -397,31 +397,36 @@ class FaceFollower {
         return length(was.center() - is.center()) <= nearby * size && std::abs(is.diagonal() - size) <= nearby * size;
     }
 
+    using Origin = std::vector<std::string>;  ///< a feature and, of a copy, those that it copies
+
     /// Can both come from one feature, as far as their own volumes tell, with a surface of the same kind? Of what no
     /// feature made, places and sizes must do.
     bool may_be(FaceId f, FaceId g) const {
         const UnderlyingSurface was = underlying_of(old_.brep.face(f)), is = underlying_of(new_.brep.face(g));
         if (was.kind != is.kind) return false;
-        const std::set<std::string> olds = features_of(was_, f), news = features_of(is_, g);
+        const std::set<Origin> olds = features_of(was_, f), news = features_of(is_, g);
         if (!olds.empty() && !news.empty() &&
-            std::none_of(olds.begin(), olds.end(), [&](const std::string& name) { return news.contains(name); }))
+            std::none_of(olds.begin(), olds.end(), [&](const Origin& origin) { return news.contains(origin); }))
             return false;
         return is_made(old_.tree, olds) || is_made(new_.tree, news) || is_as_wide(was, is) ||
                box_before(f).overlaps(box_now(g));
     }
 
     /// By a feature's own volume; that of an import is all of the part.
-    static bool is_made(const FeatureTree& tree, const std::set<std::string>& names) {
-        return std::any_of(names.begin(), names.end(),
-                           [&](const std::string& name) { return !tree.is_import(*tree.find(name)); });
+    static bool is_made(const FeatureTree& tree, const std::set<Origin>& origins) {
+        return std::any_of(origins.begin(), origins.end(),
+                           [&](const Origin& origin) { return !tree.is_import(*tree.find(origin.front())); });
     }
 
-    static std::set<std::string> features_of(const MadeFaces& made, FaceId f) {
-        std::set<std::string> names;
-        for (const int m : made.made(f))
-            names.insert(
-                made.state().tree[made.pieces()[std::size_t(made.faces()[std::size_t(m)].piece)].feature].name);
-        return names;
+    static std::set<Origin> features_of(const MadeFaces& made, FaceId f) {
+        std::set<Origin> origins;
+        for (const int m : made.made(f)) {
+            const MadePiece& piece = made.pieces()[std::size_t(made.faces()[std::size_t(m)].piece)];
+            Origin origin{made.state().tree[piece.feature].name};
+            for (const VolumeName& volume : piece.copied_from) origin.push_back(volume.feature);
+            origins.insert(origin);
+        }
+        return origins;
     }
 
     const PartState& old_;

@@ -81,7 +81,8 @@ MadeFaces::MadeFaces(const PartState& state, const SketchElements& elements)
 void MadeFaces::take_volume(FeatureId feature, const FeatureVolume& volume, int& number) {
     for (const TopoDS_Shape& shape : featuremesh::pieces_of(volume.shape)) {
         const int piece = int(pieces_.size());
-        pieces_.push_back({feature, volume.instance, number++, volume.motion, volume.effect, shape, {}, {}});
+        pieces_.push_back(
+            {feature, volume.instance, volume.copied_from, number++, volume.motion, volume.effect, shape, {}, {}});
         pieces_of_[feature.index()].push_back(piece);
         for (TopExp_Explorer it(shape, TopAbs_FACE); it.More(); it.Next()) {
             const TopoDS_Face& face = TopoDS::Face(it.Current());
@@ -91,24 +92,28 @@ void MadeFaces::take_volume(FeatureId feature, const FeatureVolume& volume, int&
     }
 }
 
-/// Of the sketches that a feature is made from, for a pattern of those of what it repeats.
-std::vector<MadeFaces::PlacedElement> MadeFaces::elements_of(FeatureId id, const RigidMotion& motion) const {
+/// Of the sketches that a feature is made from, for a pattern of those of what it repeats, for a copy of what it
+/// copies.
+std::vector<MadeFaces::PlacedElement> MadeFaces::elements_of(const MadePiece& piece) const {
+    const auto id =
+        piece.copied_from.empty() ? std::optional(piece.feature) : state_.tree.find(piece.copied_from.back().feature);
+    if (!id) return {};
     std::vector<PlacedElement> placed;
     const auto add = [&](const Feature& feature) {
         for (const FeatureId d : feature.depends_on) {
             const Feature& sketch = state_.tree[d];
             const auto found = elements_.find(sketch.name);
             if (found == elements_.end()) continue;
-            const RigidMotion place = compose(motion, sketch.frame);
+            const RigidMotion place = compose(piece.motion, sketch.frame);
             for (const SketchElement& element : found->second)
                 placed.push_back(
                     {{sketch.name, element.id}, moved(element, place), place.rotate({0, 0, 1}), feature.at_centres});
         }
     };
-    if (state_.tree[id].role != Role::pattern)
-        add(state_.tree[id]);
+    if (state_.tree[*id].role != Role::pattern)
+        add(state_.tree[*id]);
     else  // its own sketch only tells a direction
-        for (const FeatureId original : state_.tree[id].depends_on) add(state_.tree[original]);
+        for (const FeatureId original : state_.tree[*id].depends_on) add(state_.tree[original]);
     return placed;
 }
 
@@ -119,8 +124,7 @@ void MadeFaces::find_elements(FeatureId feature) {
         const auto end = std::find_if(first, all.end(), [&](int p) {
             return pieces_[std::size_t(p)].instance != piece.instance || pieces_[std::size_t(p)].motion != piece.motion;
         });
-        for (const PlacedElement& placed : elements_of(feature, piece.motion))
-            give(placed, std::span<const int>(first, end));
+        for (const PlacedElement& placed : elements_of(piece)) give(placed, std::span<const int>(first, end));
         first = end;
     }
 }

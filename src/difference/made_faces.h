@@ -55,8 +55,9 @@ struct MadeFace {
 struct MadePiece {
     FeatureId feature;
     std::int64_t instance = 0;  ///< number within a pattern
-    int number = 0;             ///< among the pieces of that instance
-    RigidMotion motion;         ///< from the first instance to this one
+    std::vector<VolumeName> copied_from;
+    int number = 0;      ///< among the pieces of that instance
+    RigidMotion motion;  ///< as of its volume
     Effect effect = Effect::adds;
     TopoDS_Shape solid;
     std::vector<int> faces;             ///< indices into MadeFaces::faces, in the order of the solid
@@ -83,7 +84,7 @@ class MadeFaces {
     };
 
   private:
-    std::vector<PlacedElement> elements_of(FeatureId feature, const RigidMotion& motion) const;
+    std::vector<PlacedElement> elements_of(const MadePiece& piece) const;
     void take_volume(FeatureId feature, const FeatureVolume& volume, int& number);
     std::vector<int> faces_near(const Box& box) const;
     bool bounds_the_same_way(const MadeFace& made, FaceId final_face, const Vec3& p) const;

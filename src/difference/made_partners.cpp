@@ -47,11 +47,17 @@ class PieceMatcher {
     const MadeFace& old_face(int f) const { return was_.faces()[std::size_t(f)]; }
     const MadeFace& new_face(int f) const { return is_.faces()[std::size_t(f)]; }
 
+    /// Which volume of its feature. Those that are copied have other numbers as soon as there is another one among
+    /// them.
+    static std::vector<VolumeName> volume_of(const MadePiece& piece) {
+        return piece.copied_from.empty() ? std::vector{VolumeName{"", piece.instance}} : piece.copied_from;
+    }
+
     void match_feature(FeatureId old_id, FeatureId new_id) {
         const RigidMotion motion = compose(is_.state().tree[new_id].frame, was_.state().tree[old_id].frame.inverse());
-        std::map<std::int64_t, std::vector<int>> olds, news;  // by instance
-        for (const int p : was_.pieces_of(old_id)) olds[old_piece(p).instance].push_back(p);
-        for (const int p : is_.pieces_of(new_id)) news[new_piece(p).instance].push_back(p);
+        std::map<std::vector<VolumeName>, std::vector<int>> olds, news;
+        for (const int p : was_.pieces_of(old_id)) olds[volume_of(old_piece(p))].push_back(p);
+        for (const int p : is_.pieces_of(new_id)) news[volume_of(new_piece(p))].push_back(p);
         for (const auto& [instance, pieces] : olds)
             if (const auto found = news.find(instance); found != news.end())
                 match_instance(pieces, found->second, motion);

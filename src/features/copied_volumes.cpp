@@ -76,11 +76,19 @@ Placements ways_to(const RawRecord& copy, const RawRecord& source) {
     return {to * from.Inverted(), to * to_trsf(source.placement) * from.Inverted()};
 }
 
+/// The feature's own volumes, as a copy of them is to know them.
+Volumes named_volumes(const Feature& feature) {
+    Volumes volumes = feature.volumes;
+    for (FeatureVolume& volume : volumes)
+        volume.copied_from.insert(volume.copied_from.begin(), {feature.name, volume.instance});
+    return volumes;
+}
+
 }  // namespace
 
 std::optional<Volumes> volumes_in_order(const FeatureTree& tree, FeatureId last) {
     const Feature& feature = tree[last];
-    if (feature.combination == Combination::volumes) return feature.volumes;
+    if (feature.combination == Combination::volumes) return named_volumes(feature);
     Volumes volumes;
     for (std::size_t k = 0; k < feature.operands.size(); ++k) {
         auto operand = volumes_in_order(tree, feature.operands[k]);
@@ -90,8 +98,10 @@ std::optional<Volumes> volumes_in_order(const FeatureTree& tree, FeatureId last)
         else if (!append_operand(volumes, *operand, feature.combination))
             return std::nullopt;
     }
-    if (feature.combination == Combination::chain)
-        volumes.insert(volumes.end(), feature.volumes.begin(), feature.volumes.end());
+    if (feature.combination == Combination::chain) {
+        const Volumes own = named_volumes(feature);
+        volumes.insert(volumes.end(), own.begin(), own.end());
+    }
     return volumes;
 }
 
@@ -103,7 +113,7 @@ std::optional<Volumes> copied_volumes(const RawRecord& copy, const RawRecord& so
         for (std::size_t i = 0; i < copies.size(); ++i) {
             copies[i].shape = placed(copies[i].shape, way);
             copies[i].instance = static_cast<std::int64_t>(i);
-            copies[i].motion = way.IsNegative() ? RigidMotion{} : to_motion(way);
+            copies[i].motion = compose(to_motion(way), copies[i].motion);
         }
         return copies;
     }

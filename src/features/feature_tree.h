@@ -31,15 +31,27 @@ enum class Effect { adds, removes, keeps_only };
 /// operation of the operands.
 enum class Combination { volumes, chain, pass, fuse, cut, common, exclusive };
 
+/// Which volume of which feature.
+struct VolumeName {
+    std::string feature;
+    std::int64_t instance = 0;
+
+    auto operator<=>(const VolumeName&) const = default;
+};
+
 /// One volume of a feature: the whole, one instance of a pattern, or the part a dress-up adds or removes.
 struct FeatureVolume {
     TopoDS_Shape shape;  ///< in the final shape's frame
     Effect effect = Effect::adds;
     std::int64_t instance = 0;  ///< number within a pattern
-    RigidMotion motion;  ///< from the first instance to this one; the identity where it is not rigid (mirrored, scaled)
+    /// From the first instance, or what is copied, to this one; the identity where a pattern mirrors or scales, a
+    /// reflection where a copy is mirrored.
+    RigidMotion motion;
     /// What it does to the shape that the feature is applied to: the opposite of `effect` within a tool that is cut
     /// away.
     Effect step = Effect::adds;
+    /// Of a mirrored or linked volume: what it copies, and what that copies in turn.
+    std::vector<VolumeName> copied_from = {};
 };
 
 struct Feature {

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Loads on links to a body and on mirrored parts stay on the copies of the faces that were chosen, whatever becomes of the features that are copied."""
+import unittest
+
+import ObjectsFem
+import Part
+from freecad.featuremesh import api, references, versions
+from parts import Vector, circle, new_document, placement, plate_with_hole
+from test_references import names_of
+
+AWAY = 100   # mm, from the body to the link
+
+
+class OnCopies(unittest.TestCase):
+
+    def setUp(self):
+        self.document = new_document()
+
+    def meshed_with_a_load(self, part, is_chosen):
+        """The mesh and a pressure on the faces of its part that `is_chosen` says."""
+        ObjectsFem.makeAnalysis(self.document, "Analysis")
+        self.mesh = api.add_mesh(part, 10, order=1)
+        self.part = versions.part_of(self.mesh)
+        self.load = ObjectsFem.makeConstraintPressure(self.document, "Pressure")
+        self.load.References = [(self.part, ["Face%d" % number for number, face in enumerate(self.part.Shape.Faces, 1) if is_chosen(face)])]
+        self.document.Analysis.addObject(self.load)
+        self.document.recompute()
+
+    def loaded(self):
+        self.document.recompute()
+        return [self.part.Shape.getElement(name) for _, name in names_of(self.load)]
+
+
+class OnALink(OnCopies):
+    """A plate with a hole at (20, 20) and a link to it."""
+
+    def setUp(self):
+        super().setUp()
+        self.body = plate_with_hole(self.document)
+        assembly = self.document.addObject("App::Part", "Assembly")
+        link = self.document.addObject("App::Link", "Link")
+        link.LinkedObject, link.Placement = self.body, placement(AWAY)
+        assembly.Group = [self.body, link]
+        self.document.recompute()
+        self.assembly = assembly
+
+    def wall_at(self, x):
+        """Is that a round face about a hole of the link there?"""
+        return lambda face: isinstance(face.Surface, Part.Cylinder) and abs(face.Surface.Center.x - AWAY - x) < 1e-6
+
+    def check(self, x):
+        walls = self.loaded()
+        self.assertTrue(walls)
+        self.assertTrue(all(map(self.wall_at(x), walls)))
+
+    def test_a_feature_is_put_in_between(self):
+        """The hole of the link was the second feature there, and its load went to what is the second one now."""
+        self.meshed_with_a_load(self.assembly, self.wall_at(20))
+        self.body.Tip = self.document.Plate
+        sketch = self.body.newObject("Sketcher::SketchObject", "OtherSketch")
+        circle(sketch, 45, 20, 7)
+        pocket = self.body.newObject("PartDesign::Pocket", "Other")
+        pocket.Profile, pocket.Type, pocket.Reversed = sketch, "ThroughAll", True
+        self.body.Tip = self.document.Hole
+        self.check(20)
+
+    def test_two_holes_of_one_sketch_move_and_grow(self):
+        """Only the lines and circles of the sketch tell which is which."""
+        circle_at = self.document.HoleSketch.GeometryCount
+        self.document.HoleSketch.addGeometry(Part.Circle(Vector(45, 20), Vector(0, 0, 1), 5))
+        self.document.recompute()
+        self.meshed_with_a_load(self.assembly, self.wall_at(45))
+        self.document.HoleSketch.movePoint(circle_at, 3, Vector(35, 20))
+        api.set_parameters(self.document, ["HoleSketch.X=12", "HoleSketch.Radius=8"])
+        self.check(35)
+
+
+class OnAMirroredPart(OnCopies):
+
+    def test_a_face_that_another_operand_took_the_place_of(self):
+        """Of the mirrored parts it was taken for the same one."""
+        high, low = (self.document.addObject("Part::Box", name) for name in ("High", "Low"))
+        high.Length, high.Width, high.Height = 20, 20, 40
+        low.Length, low.Width, low.Height, low.Placement = 40, 40, 25, placement(-10, -10)
+        common = self.document.addObject("Part::Common", "Common")
+        common.Base, common.Tool = high, low
+        mirror = self.document.addObject("Part::Mirroring", "Mirror")
+        mirror.Source, mirror.Base, mirror.Normal = common, Vector(-30, 0, 0), Vector(1, 0, 0)
+        self.document.recompute()
+        self.meshed_with_a_load(mirror, lambda face: abs(face.CenterOfMass.z - 25) < 1e-6)
+        self.assertEqual(len(self.loaded()), 1)
+        high.Height = 22
+        self.assertEqual(self.loaded(), [])
+        self.assertEqual([obj for obj, _ in references.unmended(self.document.Analysis)], [self.load])
+
+
+if __name__ == "__main__":
+    unittest.main()
