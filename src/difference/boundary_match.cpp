@@ -2,6 +2,7 @@
 #include "difference/boundary_match.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <utility>
 
@@ -167,14 +168,15 @@ class Matcher {
         return s;
     }
 
-    // The kernel may approximate the same intersection curve anew, with other poles.
+    // The kernel may approximate the same intersection curve anew, with other poles. Several edges may lie on it.
     void join_equal_paths(const std::vector<Keyed>& items, const std::vector<int>& group) {
-        std::vector<int> members(match_.curves.size(), 0);
-        for (const int g : group) ++members[std::size_t(g)];
+        std::vector<std::array<char, 2>> is_in(match_.curves.size());  // old, new
+        for (std::size_t i = 0; i < items.size(); ++i) is_in[std::size_t(group[i])][items[i].is_new] = 1;
         std::vector<Keyed> lonely;
         for (std::size_t i = 0; i < items.size(); ++i) {
             const UnderlyingCurve& curve = curve_of(items[i]);
-            if (curve.kind != CurveKind::free_form || members[std::size_t(group[i])] > 1) continue;
+            const auto [is_old, is_new] = is_in[std::size_t(group[i])];
+            if (curve.kind != CurveKind::free_form || (is_old && is_new)) continue;
             const double key =
                 distance(point_at(curve, curve.first), reference_) + distance(point_at(curve, curve.last), reference_);
             lonely.push_back({key, items[i].is_new, items[i].index});

@@ -231,6 +231,24 @@ TEST_CASE("a curve that is made of other poles is the same where its path is, wh
     const BoundaryMatch match = match_boundaries({old_model, new_model, {}, std::nullopt, {1e-7, {10, 5, 2}, 30}});
     CHECK(match.old_edges[0].curve == match.new_edges[0].curve);
     CHECK(match.old_edges[1].curve == match.new_edges[0].curve);
+    // edges one after the other on it
+    const auto halves_of = [&](const Handle(Geom_Curve) & whole) {
+        const double first = curve->FirstParameter(), last = curve->LastParameter(), middle = 0.4 * first + 0.6 * last;
+        TopoDS_Compound halves;
+        BRep_Builder().MakeCompound(halves);
+        for (const auto& [from, to] : {std::pair(first, middle), std::pair(middle, last)})
+            BRep_Builder().Add(halves, BRepBuilderAPI_MakeEdge(whole, from, to).Edge());
+        return BoundaryModel{Brep(halves, Dimension::edges)};
+    };
+    const BoundaryModel old_halves = halves_of(curve), new_halves = halves_of(elevated);
+    const BoundaryMatch of_halves =
+        match_boundaries({old_halves, new_halves, {}, std::nullopt, {1e-7, {10, 5, 2}, 30}});
+    for (const std::size_t half : {0, 1}) {
+        const Stretch &was_half = of_halves.old_edges[half], &is_half = of_halves.new_edges[half];
+        CHECK(was_half.curve == is_half.curve);
+        CHECK(was_half.first == is_half.first);
+        CHECK(was_half.last == is_half.last);
+    }
 }
 
 TEST_CASE("of two pieces of a face or an edge the larger one is its partner, whichever comes first") {
