@@ -6,7 +6,7 @@ import unittest
 
 import FreeCAD
 import Part
-from freecad.featuremesh import engine, reading
+from freecad.featuremesh import engine, reading, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.properties import properties_of
 from parts import Vector, new_document, placement, plate_with_hole
@@ -53,6 +53,18 @@ class Reading(unittest.TestCase):
         self.assert_same_solid(replayed, body.Shape)
         self.assert_same_solid(shapes[records["Hole"]["shape"]], body.Shape)
         self.assert_order(raw)
+
+    @unittest.skipUnless(versions.version() >= (1, 1), "no feature can be suppressed")
+    def test_a_suppressed_feature_has_the_shape_before_it(self):
+        """FreeCAD 1.1 lists both once in a compound, so that the part's shape was taken for another one, and edges of loads were looked for there."""
+        body = plate_with_hole(new_document())
+        body.newObject("PartDesign::AdditiveCylinder", "Post").Placement.Base.z = 10
+        body.Document.recompute()
+        body.Document.Hole.Suppressed = True
+        body.Document.recompute()
+        raw = reading.read_document(body)
+        self.assertEqual(len(shapes_in(raw)), max(max(record["shape"], record["own_volume"]) for record in raw["records"]) + 1)
+        self.assert_same_solid(reading.shape_of_record(raw), body.Shape)
 
     def test_feature_attached_off_the_origin(self):
         document = new_document()

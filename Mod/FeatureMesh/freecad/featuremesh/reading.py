@@ -5,10 +5,6 @@ Nothing is interpreted here: what a record means is decided by the engine. Two t
 here: which objects the part depends on, and in which frame each of them lies.
 """
 
-import contextlib
-import functools
-import os
-import tempfile
 from collections import deque
 
 import FreeCAD
@@ -16,7 +12,7 @@ import numpy
 import Part
 import Sketcher
 
-from . import versions
+from . import shape_bytes, versions
 from .errors import NotSelected, UserError
 from .messages import close_names, said
 from .properties import (
@@ -74,7 +70,7 @@ def outline_of(part):
 def shape_of_record(raw):
     """The final object's shape as read_document recorded it."""
     index = next(record["shape"] for record in raw["records"] if record["name"] == raw["final_object"])
-    return _shapes_from_bytes(raw["shapes"])[index]
+    return shape_bytes.shapes_in(raw["shapes"])[index]
 
 
 def find_meshable(document, name=None):
@@ -447,6 +443,7 @@ class _ShapeList:
     def __init__(self, kind):
         self._kind = kind
         self._shapes = []
+        self._places = {}   # hash of a shape -> indices of the shapes with that
         self._numbers = {}
 
     def add_of(self, obj, frames):
@@ -462,52 +459,16 @@ class _ShapeList:
         if not frame.isIdentity():
             shape = Part.Shape(shape)
             shape.Placement = frame.multiply(shape.Placement)
-        self._shapes.append(shape)
-        return len(self._shapes) - 1
+        known = self._places.setdefault(shape.hashCode(), [])
+        at = next((at for at in known if self._shapes[at].isEqual(shape)), None)   # as of a suppressed feature and the one before it
+        if at is None:
+            at = len(self._shapes)
+            known.append(at)
+            self._shapes.append(shape)
+        return at
 
     def to_bytes(self):
-        """One compound in FreeCAD's binary form, which leaves out the triangulations of a view."""
-        with _file_in_memory() as (path, handle):
-            Part.Compound(self._shapes).exportBinary(path)
-            if handle is not None:
-                return os.pread(handle, os.fstat(handle).st_size, 0)
-            with open(path, "rb") as stream:
-                return stream.read()
-
-
-def _shapes_from_bytes(data):
-    """The shapes that _ShapeList.to_bytes put together."""
-    compound = Part.Shape()
-    with _file_in_memory() as (path, _):
-        with open(path, "wb") as stream:
-            stream.write(bytes(data))
-        compound.importBinary(path)
-    return compound.SubShapes
-
-
-@functools.lru_cache(maxsize=None)
-def _handle_in_memory():
-    """Handle of a file without a disk, None where there is no such thing. A new one for each reading would cost as much as a small part's records."""
-    return os.memfd_create("featuremesh") if hasattr(os, "memfd_create") and os.path.isdir("/proc/self/fd") else None
-
-
-@contextlib.contextmanager
-def _file_in_memory():
-    """Path of an empty file for as long as it is needed, and a handle at its start or None; without a disk where there is another place."""
-    handle = _handle_in_memory()
-    if handle is not None:
-        try:
-            yield "/proc/self/fd/%d" % handle, handle
-        finally:
-            os.ftruncate(handle, 0)
-        return
-    folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
-    handle, path = tempfile.mkstemp(".bin", "featuremesh-", folder)
-    os.close(handle)
-    try:
-        yield path, None
-    finally:
-        os.unlink(path)
+        return shape_bytes.of_shapes(self._shapes)
 
 
 # By type of object, and by base.
