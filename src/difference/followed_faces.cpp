@@ -397,7 +397,8 @@ class FaceFollower {
         return length(was.center() - is.center()) <= nearby * size && std::abs(is.diagonal() - size) <= nearby * size;
     }
 
-    using Origin = std::vector<std::string>;  ///< a feature and, of a copy, those that it copies
+    /// A volume of a feature and, of a copy, those that it copies.
+    using Origin = std::vector<VolumeName>;
 
     /// Can both come from one feature, as far as their own volumes tell, with a surface of the same kind? Of what no
     /// feature made, places and sizes must do.
@@ -415,15 +416,16 @@ class FaceFollower {
     /// By a feature's own volume; that of an import is all of the part.
     static bool is_made(const FeatureTree& tree, const std::set<Origin>& origins) {
         return std::any_of(origins.begin(), origins.end(),
-                           [&](const Origin& origin) { return !tree.is_import(*tree.find(origin.front())); });
+                           [&](const Origin& origin) { return !tree.is_import(*tree.find(origin.front().feature)); });
     }
 
     static std::set<Origin> features_of(const MadeFaces& made, FaceId f) {
         std::set<Origin> origins;
         for (const int m : made.made(f)) {
             const MadePiece& piece = made.pieces()[std::size_t(made.faces()[std::size_t(m)].piece)];
-            Origin origin{made.state().tree[piece.feature].name};
-            for (const VolumeName& volume : piece.copied_from) origin.push_back(volume.feature);
+            const Feature& feature = made.state().tree[piece.feature];
+            Origin origin = piece.copied_from;
+            origin.insert(origin.begin(), {feature.name, feature.volume_source == "instances" ? piece.instance : 0});
             origins.insert(origin);
         }
         return origins;

@@ -73,8 +73,16 @@ class PieceMatcher {
                     if (have_one_in_common(old_piece(o).elements, new_piece(n).elements)) match_swept(o, n);
             return;
         }
-        if (olds.size() == 1 && news.size() == 1) return match_in_order(olds[0], news[0], motion);
-        match_by_place(olds, news, motion);
+        const RigidMotion along = compose(motion_of_instance(olds[0], news[0]), motion);
+        if (olds.size() == 1 && news.size() == 1) return match_in_order(olds[0], news[0], along);
+        match_by_place(olds, news, along);
+    }
+
+    /// Of one instance of a pattern, whose others go elsewhere. A copy goes where its feature goes.
+    RigidMotion motion_of_instance(int o, int n) const {
+        const MadePiece &was = old_piece(o), &is = new_piece(n);
+        if (!was.copied_from.empty() || was.motion == is.motion) return {};
+        return compose(is.motion, was.motion.inverse());
     }
 
     /// Without sketch elements: what is where it was, or moved with the feature.

@@ -75,6 +75,33 @@ class OnALink(OnCopies):
         self.check(35)
 
 
+class OnAPattern(OnCopies):
+
+    def test_a_pattern_gets_one_more(self):
+        """The pins are turned, so that a load on the last of four was lost, or went to the last of five."""
+        body = self.document.addObject("PartDesign::Body", "Body")
+        plate, pin = (body.newObject("PartDesign::AdditiveBox", name) for name in ("Plate", "Pin"))
+        plate.Length, plate.Width, plate.Height, plate.Placement = 100, 100, 10, placement(-50, -50)
+        pin.Length, pin.Width, pin.Height, pin.Placement = 5, 4, 30, placement(28, 1)
+        pins = body.newObject("PartDesign::PolarPattern", "Pins")
+        axis = next(obj for obj in body.Origin.OriginFeatures if obj.Role == "Z_Axis")
+        pins.Originals, pins.Axis, pins.Angle, pins.Occurrences = [pin], (axis, [""]), 360, 4
+        body.Tip = pins
+        self.document.recompute()
+        self.meshed_with_a_load(body, lambda face: self.turned_back(face, 270).x > 32.99)
+        for count in (4, 5, 3):
+            pins.Occurrences = count
+            faces = self.loaded()
+            self.assertEqual(len(faces), 1 if count > 3 else 0)
+            for face in faces:
+                self.assertLess((self.turned_back(face, 3 * 360 / count) - Vector(33, 3, 20)).Length, 1e-6)
+
+    @staticmethod
+    def turned_back(face, angle):
+        """Where the middle of a face would be on the first pin."""
+        return placement(angle=-angle).multVec(face.CenterOfMass) if face.BoundBox.ZMin > 9.99 and face.BoundBox.ZMax > 29.99 else Vector()
+
+
 class OnAMirroredPart(OnCopies):
 
     def test_a_face_that_another_operand_took_the_place_of(self):
