@@ -54,7 +54,7 @@ class PieceMatcher {
     }
 
     void match_feature(FeatureId old_id, FeatureId new_id) {
-        const RigidMotion motion = compose(is_.state().tree[new_id].frame, was_.state().tree[old_id].frame.inverse());
+        const RigidMotion motion = motion_of_feature(old_id, new_id);
         std::map<std::vector<VolumeName>, std::vector<int>> olds, news;
         for (const int p : was_.pieces_of(old_id)) olds[volume_of(old_piece(p))].push_back(p);
         for (const int p : is_.pieces_of(new_id)) news[volume_of(new_piece(p))].push_back(p);
@@ -73,16 +73,28 @@ class PieceMatcher {
                     if (have_one_in_common(old_piece(o).elements, new_piece(n).elements)) match_swept(o, n);
             return;
         }
-        const RigidMotion along = compose(motion_of_instance(olds[0], news[0]), motion);
+        const RigidMotion along = motion_of_volume(olds[0], news[0], motion);
         if (olds.size() == 1 && news.size() == 1) return match_in_order(olds[0], news[0], along);
         match_by_place(olds, news, along);
     }
 
-    /// Of one instance of a pattern, whose others go elsewhere. A copy goes where its feature goes.
-    RigidMotion motion_of_instance(int o, int n) const {
+    /// Of what moved as `motion` says: one instance of a pattern, whose others go elsewhere, or a copy, which goes with
+    /// what it copies.
+    RigidMotion motion_of_volume(int o, int n, const RigidMotion& motion) const {
         const MadePiece &was = old_piece(o), &is = new_piece(n);
-        if (!was.copied_from.empty() || was.motion == is.motion) return {};
-        return compose(is.motion, was.motion.inverse());
+        if (was.copied_from.empty() && was.motion == is.motion) return motion;
+        RigidMotion of_source = motion;
+        if (!was.copied_from.empty()) {
+            const std::string& source = was.copied_from.back().feature;
+            const auto old_id = was_.state().tree.find(source), new_id = is_.state().tree.find(source);
+            if (!old_id || !new_id) return motion;
+            of_source = motion_of_feature(*old_id, *new_id);
+        }
+        return compose(is.motion, compose(of_source, was.motion.inverse()));
+    }
+
+    RigidMotion motion_of_feature(FeatureId was, FeatureId is) const {
+        return compose(is_.state().tree[is].frame, was_.state().tree[was].frame.inverse());
     }
 
     /// Without sketch elements: what is where it was, or moved with the feature.

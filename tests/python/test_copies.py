@@ -121,5 +121,23 @@ class OnAMirroredPart(OnCopies):
         self.assertEqual([obj for obj, _ in references.unmended(self.document.Analysis)], [self.load])
 
 
+    def test_what_is_mirrored_is_turned(self):
+        boxes = [self.document.addObject("Part::Box", "Box") for _ in range(2)]
+        boxes[0].Length, boxes[0].Width, boxes[0].Height = 30, 20, 10
+        boxes[1].Length, boxes[1].Width, boxes[1].Height, boxes[1].Placement = 8, 7, 18, placement(3, 2)
+        fusion = self.document.addObject("Part::MultiFuse", "Fusion")
+        fusion.Shapes = boxes
+        mirror = self.document.addObject("Part::Mirroring", "Mirror")
+        mirror.Source, mirror.Base, mirror.Normal = fusion, Vector(-60, 0, 0), Vector(1, 0, 0)
+        self.document.recompute()
+        chosen = Vector(30, 10, 5)   # on the box, in the middle of a side
+        self.meshed_with_a_load(mirror, lambda face: (face.CenterOfMass - Vector(-120 - chosen.x, chosen.y, chosen.z)).Length < 1e-6)
+        self.assertEqual(len(self.loaded()), 1)
+        fusion.Placement = placement(4, 5, 6, 120, (0, 1, 1))
+        there = fusion.Placement.multVec(chosen)
+        face, = self.loaded()
+        self.assertLess((face.CenterOfMass - Vector(-120 - there.x, there.y, there.z)).Length, 1e-6)
+
+
 if __name__ == "__main__":
     unittest.main()
