@@ -263,10 +263,17 @@ class FaceFollower {
     /// Is it known that the new face, though it lies where the old one was, is another one?
     bool is_stranger(FaceId f, FaceId g) const {
         if (claimed_[g.index()]) return true;
-        if (is_of_other_solid_[f.index()]) return false;
-        const bool known = std::any_of(was_.made(f).begin(), was_.made(f).end(),
-                                       [&](int m) { return !partners_[std::size_t(m)].empty(); });
-        return known && !is_.made(g).empty();
+        return !is_of_other_solid_[f.index()] && is_partnered(f) && !is_.made(g).empty();
+    }
+
+    /// Is it known what the made face of the old face is now, and that the new face is on another one?
+    bool is_known_elsewhere(FaceId f, FaceId g) const {
+        return is_partnered(f) && !is_.made(g).empty() && !contains(candidates_[f.index()], g);
+    }
+
+    bool is_partnered(FaceId f) const {
+        return std::any_of(was_.made(f).begin(), was_.made(f).end(),
+                           [&](int m) { return !partners_[std::size_t(m)].empty(); });
     }
 
     // By the faces around it
@@ -404,7 +411,7 @@ class FaceFollower {
     /// feature made, places and sizes must do.
     bool may_be(FaceId f, FaceId g) const {
         const UnderlyingSurface was = underlying_of(old_.brep.face(f)), is = underlying_of(new_.brep.face(g));
-        if (was.kind != is.kind) return false;
+        if (was.kind != is.kind || is_known_elsewhere(f, g)) return false;
         const std::set<Origin> olds = features_of(was_, f), news = features_of(is_, g);
         if (!olds.empty() && !news.empty() &&
             std::none_of(olds.begin(), olds.end(), [&](const Origin& origin) { return news.contains(origin); }))

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loads on links to a body and on mirrored parts stay on the copies of the faces that were chosen, whatever becomes of the features that are copied."""
+"""Loads on links, mirrored parts, instances of patterns and sides of a box go to no other feature's face, no other instance and no other side."""
 import unittest
 
 import ObjectsFem
 import Part
 from freecad.featuremesh import api, references, versions
-from parts import Vector, circle, new_document, placement, plate_with_hole
+from parts import Vector, circle, new_document, placement, plate_with_hole, rectangle
 from test_references import names_of
 
 AWAY = 100   # mm, from the body to the link
 
 
-class OnCopies(unittest.TestCase):
+class OnAFace(unittest.TestCase):
 
     def setUp(self):
         self.document = new_document()
@@ -31,7 +31,7 @@ class OnCopies(unittest.TestCase):
         return [self.part.Shape.getElement(name) for _, name in names_of(self.load)]
 
 
-class OnALink(OnCopies):
+class OnALink(OnAFace):
     """A plate with a hole at (20, 20) and a link to it."""
 
     def setUp(self):
@@ -75,7 +75,25 @@ class OnALink(OnCopies):
         self.check(35)
 
 
-class OnAPattern(OnCopies):
+class OnABox(OnAFace):
+
+    def test_the_other_side_of_what_is_cut_out(self):
+        """The ceiling of a slot from below is gone, and there is the floor of one from above, between the same walls."""
+        body = self.document.addObject("PartDesign::Body", "Body")
+        sketch = body.newObject("Sketcher::SketchObject", "PlateSketch")
+        rectangle(sketch, 0, 0, 60, 40)
+        plate, slot = body.newObject("PartDesign::Pad", "Plate"), body.newObject("PartDesign::SubtractiveBox", "Slot")
+        plate.Profile, plate.Length = sketch, 10
+        slot.Length, slot.Width, slot.Height, slot.Placement = 15, 12, 11, placement(20, -5, -3)
+        self.document.recompute()
+        self.meshed_with_a_load(body, lambda face: abs(face.CenterOfMass.z - 8) < 1e-6)
+        self.assertEqual(len(self.loaded()), 1)
+        sketch.Placement.Base.z = -5
+        self.assertEqual(self.loaded(), [])
+        self.assertEqual([obj for obj, _ in references.unmended(self.document.Analysis)], [self.load])
+
+
+class OnAPattern(OnAFace):
 
     def test_a_pattern_gets_one_more(self):
         """The pins are turned, so that a load on the last of four was lost, or went to the last of five."""
@@ -102,7 +120,7 @@ class OnAPattern(OnCopies):
         return placement(angle=-angle).multVec(face.CenterOfMass) if face.BoundBox.ZMin > 9.99 and face.BoundBox.ZMax > 29.99 else Vector()
 
 
-class OnAMirroredPart(OnCopies):
+class OnAMirroredPart(OnAFace):
 
     def test_a_face_that_another_operand_took_the_place_of(self):
         """Of the mirrored parts it was taken for the same one."""
