@@ -50,10 +50,10 @@ class BlockParts(unittest.TestCase):
         self.document.recompute()
         return body
 
-    def groove(self, body):
+    def groove(self, body, x=40):
         sketch = body.newObject("Sketcher::SketchObject", "GrooveSketch")
         sketch.Placement.Base.z = 20
-        rectangle(sketch, 40, -5, 10, 30)
+        rectangle(sketch, x, -5, 10, 30)
         pocket = body.newObject("PartDesign::Pocket", "Groove")
         pocket.Profile, pocket.Length = sketch, 5
         body.Tip = pocket

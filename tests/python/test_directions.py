@@ -224,6 +224,16 @@ class ComesBack(ForcesAlong):
         self.assertEqual(names_of(self.pressed), [("Body", self.face_at(self.body, "X", 45))])
         self.assertEqual([line for line in warnings_of(self.mesh) if "again" in line], [])
 
+    def test_nothing_is_there_again_with_another_feature_of_that_name(self):
+        for name in ("Groove", "GrooveSketch"):
+            self.body.Tip = self.document.Block
+            self.document.removeObject(name)
+        self.document.recompute()
+        self.assertIn(self.pressed, {obj for obj, _ in references.unmended(self.analysis)})
+        self.groove(self.body, 60)
+        self.assertEqual(names_of(self.pressed), [])
+        self.assertIn(self.pressed, {obj for obj, _ in references.unmended(self.analysis)})
+
     def test_what_was_chosen_meanwhile_stays(self):
         self.put_in_between()
         self.pressed.References = [(self.body, self.face_at(self.body, "Z", 0))]

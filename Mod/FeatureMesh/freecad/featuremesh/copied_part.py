@@ -13,9 +13,14 @@ def with_names_of(today, saved):
     if then[saved["final_object"]]["type"] != now[today["final_object"]]["type"]:
         return None
     _add_the_rest(names, now, then)
-    return {**saved, "final_object": today["final_object"], "records": [{
+    return renamed(saved, names)
+
+
+def renamed(raw, names):
+    """A part as reading.read_document gave it, with other `names` of its objects, {then: now}."""
+    return {**raw, "final_object": names.get(raw["final_object"], raw["final_object"]), "records": [{
         **record, "name": names.get(record["name"], record["name"]),
-        "links": [(prop, names.get(target, target), sub) for prop, target, sub in record["links"]]} for record in saved["records"]]}
+        "links": [(prop, names.get(target, target), sub) for prop, target, sub in record["links"]]} for record in raw["records"]]}
 
 
 def take_todays_names(saved, part):

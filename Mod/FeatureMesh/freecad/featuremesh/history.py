@@ -141,14 +141,14 @@ class _Observer:
         _outdate_in_others(document)
 
     def slotCreatedObject(self, obj):
+        if obj.Name in deleted_of(obj.Document) and not obj.Document.Transacting:
+            for mesh in _meshes_in(obj.Document):
+                mesh.Proxy.forget_references(mesh, obj.Name)
         _deleted.get(obj.Document.Name, set()).discard(obj.Name)
         _note_if_undone(obj)
 
     def slotDeletedObject(self, obj):
         _deleted.setdefault(obj.Document.Name, set()).add(obj.Name)
-        for mesh in _meshes_in(obj.Document):
-            if mesh is not obj:
-                mesh.Proxy.forget_references(mesh, obj.Name)
 
     def slotDeletedDocument(self, document):
         _deleted.pop(document.Name, None)

@@ -5,9 +5,11 @@ in between, or a feature is suppressed for a while."""
 import FreeCAD
 
 from . import references
+from .copied_part import renamed
 from .messages import said
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+_DELETED = " (deleted)"
 _STATES = 30   # more than FreeCAD has steps of undo
 _THERE_AGAIN = QT_TRANSLATE_NOOP("FeatureMesh", "{object:text}: there again, and referred to as before: {now:entities}")
 
@@ -45,8 +47,11 @@ class LostReferences:
         self._entries[obj.Name] = [entry for entry in self._entries.get(obj.Name, []) if entry[3]]
 
     def forget(self, name):
-        """To be called when the object of that name was deleted."""
+        """To be called when another object got the name of one that was deleted: what is lost of that does not come back with this one."""
         self._entries.pop(name, None)
+        parts = {id(raw): raw for entries in self._entries.values() for raw, *_ in entries}
+        parts = {key: renamed(raw, {name: name + _DELETED}) for key, raw in parts.items()}
+        self._entries = {obj: [(parts[id(raw)], *rest) for raw, *rest in entries] for obj, entries in self._entries.items()}
 
     def bring_back(self, obj, resolver, numbering_from):
         """Gives an object what the part has again. Returns a line for each thing to know. `numbering_from` gives the Numbering from a part to today's."""

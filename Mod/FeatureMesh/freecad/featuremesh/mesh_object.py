@@ -360,7 +360,7 @@ class FeatureMesh(Stateless):
         return references.elsewhere(known, Resolver(versions.part_of(mesh), raw))
 
     def forget_references(self, mesh, name):
-        """To be called when the object of that name was deleted: another one may get its name."""
+        """To be called when another object got the name of one that was deleted."""
         record = self._record(mesh)
         self._lost.forget(name)
         if record.pop(name, None):
