@@ -93,6 +93,34 @@ class OnABox(OnAFace):
         self.assertEqual([obj for obj, _ in references.unmended(self.document.Analysis)], [self.load])
 
 
+class AnUndo(OnAFace):
+
+    def test_a_step_that_is_undone_after_a_recompute_outside_of_it(self):
+        """Which gave the load's face another number: that stayed, the part did not."""
+        body = plate_with_hole(self.document)
+        self.document.UndoMode = 1
+        self.meshed_with_a_load(body, self.is_hole)
+        self.document.openTransaction("Edit")
+        other = ObjectsFem.makeConstraintPressure(self.document, "Other")
+        other.References = [(body, ["Face1"])]
+        self.document.Analysis.addObject(other)
+        api.edit(self.document, ["PlateSketch.Width=65"])
+        self.document.commitTransaction()
+        before = names_of(self.load)
+        chamfer = body.newObject("PartDesign::Chamfer", "Chamfer")
+        chamfer.Base, chamfer.Size = (self.document.Hole, ["Edge1", "Edge2"]), 1
+        body.Tip = chamfer
+        self.document.recompute()
+        self.assertNotEqual(names_of(self.load), before)
+        self.document.undo()
+        self.assertTrue(all(map(self.is_hole, self.loaded())))
+        self.assertEqual(len(self.loaded()), 1)
+
+    @staticmethod
+    def is_hole(face):
+        return isinstance(face.Surface, Part.Cylinder)
+
+
 class OnAPattern(OnAFace):
 
     def test_a_pattern_gets_one_more(self):

@@ -339,6 +339,9 @@ class FeatureMesh(Stateless):
         record, deleted = self._record(mesh), history.deleted_of(mesh.Document)
         new = [obj for obj in self._referring(mesh) if obj.References and (
             obj.Name not in record or (references.differs if after_undo else references.was_changed_by_hand)(obj, record[obj.Name], deleted))]
+        if left := self._noted.left_by_undo(new) if after_undo and has_shape(versions.part_of(mesh)) else {}:
+            mesh.ReferredTo, raw = json.dumps({**record, **left}, sort_keys=True), read_document(versions.part_of(mesh))
+            self._follow(mesh, [obj for obj in new if obj.Name in left], raw, lambda: engine.load().followed_faces(self._raw, raw))
         if new:
             self.settle(mesh, new)
             self.note_references(mesh, new)
@@ -379,7 +382,7 @@ class FeatureMesh(Stateless):
             found = {name: {**known, "of": self._noted.name_of(raw)} for name, known in found.items()}
         record = {} if anew else {name: known for name, known in self._record(mesh).items() if name not in [obj.Name for obj in objects]}
         mesh.ReferredTo = json.dumps({**record, **found}, sort_keys=True)
-        self._noted.store(mesh, {**record, **found})
+        self._noted.store(mesh, {**record, **found}, self._raw)
 
     def groups_as_saved(self, mesh, arrays, shown_by):
         """The groups of the saved mesh with those arrays, for itself or another object that it is `shown_by`; those of features only where the engine is."""
@@ -512,10 +515,8 @@ class FeatureMesh(Stateless):
 
     def _record(self, mesh):
         """What references.record_of said at the last mesh, or when references changed since; older documents have names only."""
-        part = versions.part_of(mesh)
-        record = json.loads(mesh.ReferredTo or "{}")
-        return {name: known if isinstance(known, dict) else {"pairs": [[part.Name, sub] for sub in known], "names": known}
-                for name, known in record.items()}
+        return {name: known if isinstance(known, dict) else {"pairs": [[versions.part_of(mesh).Name, sub] for sub in known], "names": known}
+                for name, known in json.loads(mesh.ReferredTo or "{}").items()}
 
     def _store(self, mesh, job):
         saved, before = state.State(job.raw, job.options, job.part_mesh.arrays()), state.checksum_of(mesh.SavedState)

@@ -10,6 +10,7 @@ import numpy as np
 
 from . import state
 from .reading import elements_of_today, with_elements
+from .references import differs
 
 
 class NotedParts:
@@ -18,6 +19,7 @@ class NotedParts:
     def __init__(self):
         self._parts = {}    # by what the record calls it: the part as reading.read_document gives it
         self._packed = {}   # the same as text
+        self._last = {}, None   # the record that was stored last, which an undo does not bring back, and the part that was meshed then
 
     def name_of(self, raw):
         """What the record is to call the part as it was read."""
@@ -31,8 +33,15 @@ class NotedParts:
         """The part that the record calls so; None where it is gone."""
         return self._parts.get(name)
 
-    def store(self, mesh, record):
-        """To be called with each new record."""
+    def left_by_undo(self, objects):
+        """{name: entry of the record}, each with its part, of those of the objects whose references an undo or redo has left as they were."""
+        record, meshed = self._last
+        left = {obj.Name: record[obj.Name] for obj in objects if meshed is not None and obj.Name in record and not differs(obj, record[obj.Name], ())}
+        return {name: {"of": self.name_of(meshed), **known} for name, known in left.items()}
+
+    def store(self, mesh, record, meshed):
+        """To be called with each new record, and the part as it was meshed last."""
+        self._last = record, meshed
         names = {known["of"] for known in record.values() if "of" in known}
         text = json.dumps({name: self._packed[name] for name in sorted(names) if name in self._packed}) if names else ""
         if mesh.NotedParts != text:
