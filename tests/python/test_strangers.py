@@ -2,8 +2,10 @@
 """Loads on links, mirrored parts, instances of patterns and sides of a box go to no other feature's face, no other instance and no other side."""
 import unittest
 
+import FreeCAD
 import ObjectsFem
 import Part
+import Sketcher
 from freecad.featuremesh import api, references, versions
 from parts import Vector, circle, new_document, placement, plate_with_hole, rectangle
 from test_references import names_of
@@ -66,11 +68,12 @@ class OnALink(OnAFace):
 
     def test_two_holes_of_one_sketch_move_and_grow(self):
         """Only the lines and circles of the sketch tell which is which."""
-        circle_at = self.document.HoleSketch.GeometryCount
-        self.document.HoleSketch.addGeometry(Part.Circle(Vector(45, 20), Vector(0, 0, 1), 5))
+        sketch = self.document.HoleSketch
+        other = sketch.addGeometry(Part.Circle(Vector(45, 20), Vector(0, 0, 1), 5))
+        at = sketch.addConstraint(Sketcher.Constraint("DistanceX", -1, 1, other, 3, 45))
         self.document.recompute()
         self.meshed_with_a_load(self.assembly, self.wall_at(45))
-        self.document.HoleSketch.movePoint(circle_at, 3, Vector(35, 20))
+        sketch.setDatum(at, FreeCAD.Units.Quantity("35 mm"))
         api.set_parameters(self.document, ["HoleSketch.X=12", "HoleSketch.Radius=8"])
         self.check(35)
 
