@@ -71,8 +71,8 @@ SizingField make_sizing(const Brep& brep, const SizingOptions& options, std::spa
 /// The field of the same shape and options with these sources in place of its own; the shape is not looked at again.
 SizingField with_sources(const SizingField& field, std::span<const SizeSource> sources);
 
-/// The source as it is where it asks for less than nine tenths of what the field does, else with half of that: a field
-/// with it is another one.
+/// The source as it is where it asks for so much less than the field that it is felt (less than 1 / 1.4 of that), else
+/// with half of what the field asks for: a field with it is another one.
 SizeSource shorter_than_asked(const SizingField& field, SizeSource source);
 
 /// False where the field asks for at most `most` tets in all of the part's box, which few looks at it mostly tell.

@@ -231,8 +231,9 @@ class AngleMender {
     /// than before.
     SizeSource wanted(const SmallTet& tet, std::size_t tries) const {
         constexpr double wanted_deg = 20, least_share = 0.15, shorter = 0.8;
-        return {tet.center, std::min(longer_ * tet.longest * std::max(least_share, tet.angle_deg / wanted_deg),
-                                     std::pow(shorter, double(tries + 1)) * field_->at(tet.center))};
+        const double length = longer_ * tet.longest * std::max(least_share, tet.angle_deg / wanted_deg);
+        return shorter_than_asked(
+            *field_, {tet.center, std::min(length, std::pow(shorter, double(tries + 1)) * field_->at(tet.center))});
     }
 
     /// Takes the filling where some place is better and none worse. False where nothing can be kept beside the places,
