@@ -297,6 +297,11 @@ bool Projector::needs_search(FaceId face) const {
     return data_->surface(face).adaptor.GetType() > GeomAbs_Torus;  // those before it are listed above
 }
 
+bool Projector::closes(FaceId face) const {
+    const BRepAdaptor_Surface& surface = data_->surface(face).adaptor;
+    return surface.IsUClosed() || surface.IsVClosed();
+}
+
 OnFace Projector::nearest(FaceId face, const Vec3& p, std::optional<std::array<double, 2>> guess) const {
     SurfaceData& s = data_->surface(face);
     if (const auto uv = analytic_parameters(s.adaptor, to_pnt(p))) return at(s, in_period(s, *uv, guess), p);

@@ -53,6 +53,8 @@ class Projector {
     /// Whether the nearest point of the face's surface takes a search; that of a plane, a cylinder, a cone, a sphere or
     /// a torus is known at once.
     bool needs_search(FaceId face) const;
+    /// Whether the face's surface meets itself: points there have two places in its parameters.
+    bool closes(FaceId face) const;
     /// Nearest point of the face's surface; with a guess by Newton, else globally. Does not look at the trim.
     OnFace nearest(FaceId face, const Vec3& p, std::optional<std::array<double, 2>> guess = {}) const;
     /// The same, for a short step from `guess`: none where Newton's iteration does not get there.

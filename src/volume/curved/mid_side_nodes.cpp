@@ -69,11 +69,11 @@ std::optional<std::array<double, 2>> half_way(const Brep& brep, const Mesh& mesh
     return projector.half_way(face, *from, *to);
 }
 
-/// The point of the face nearest to the middle of a side between nodes of its border. Far away is not believed: a node
-/// of a seam has two places, and the parameters of a face may bend between its borders.
+/// The point of the face nearest to the middle of a side between nodes of its border. Far away is not believed: the
+/// parameters of a face may bend between its borders, and a node of a seam has two places, so least where there is one.
 OnFace nearest_from_border(const Projector& projector, FaceId face, const Vec3& middle,
                            const std::optional<std::array<double, 2>>& start, double side) {
-    constexpr double far = 0.1;
+    const double far = projector.closes(face) ? 0.1 : 0.3;
     const OnFace near = projector.nearest(face, middle, start);
     if (!start || near.distance <= far * side) return near;
     const OnFace other = projector.nearest(face, middle);
