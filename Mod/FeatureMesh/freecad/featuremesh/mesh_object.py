@@ -584,8 +584,7 @@ def options_of(mesh, part, raw=None, refined=None, settings=None):
     refuse_no_size(values["Size"])
     options["threads"] = int(options["threads"]) or os.cpu_count() or 1
     options["order"] = 2 if values["Order"] == "2nd" else 1
-    if values["Dimension"] != FROM_SHAPE:
-        options["dimension"] = values["Dimension"].lower()
+    options.update({} if values["Dimension"] == FROM_SHAPE else {"dimension": values["Dimension"].lower()})
     too_fine.refuse_endless(part, values["Dimension"])
     options["min_size"] = options["min_size"] or AUTOMATIC_SHARE * options["size"]
     refined = refined or refinements.read(mesh, part, raw)
