@@ -432,7 +432,7 @@ class FaceFollower {
             const MadePiece& piece = made.pieces()[std::size_t(made.faces()[std::size_t(m)].piece)];
             const Feature& feature = made.state().tree[piece.feature];
             Origin origin = piece.copied_from;
-            origin.insert(origin.begin(), {feature.name, feature.volume_source == "instances" ? piece.instance : 0});
+            origin.insert(origin.begin(), {feature.name, feature.volume_source == "instances" ? piece.instance : -1});
             origins.insert(origin);
         }
         return origins;

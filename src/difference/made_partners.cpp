@@ -48,16 +48,18 @@ class PieceMatcher {
     const MadeFace& new_face(int f) const { return is_.faces()[std::size_t(f)]; }
 
     /// Which volume of its feature. Those that are copied have other numbers as soon as there is another one among
-    /// them.
-    static std::vector<VolumeName> volume_of(const MadePiece& piece) {
-        return piece.copied_from.empty() ? std::vector{VolumeName{"", piece.instance}} : piece.copied_from;
+    /// them, and those of a pattern where its instances are not told apart.
+    static std::vector<VolumeName> volume_of(const MadeFaces& made, const MadePiece& piece) {
+        if (!piece.copied_from.empty()) return piece.copied_from;
+        const bool is_instance = made.state().tree[piece.feature].volume_source == "instances";
+        return {VolumeName{is_instance ? "instances" : "", piece.instance}};
     }
 
     void match_feature(FeatureId old_id, FeatureId new_id) {
         const RigidMotion motion = motion_of_feature(old_id, new_id);
         std::map<std::vector<VolumeName>, std::vector<int>> olds, news;
-        for (const int p : was_.pieces_of(old_id)) olds[volume_of(old_piece(p))].push_back(p);
-        for (const int p : is_.pieces_of(new_id)) news[volume_of(new_piece(p))].push_back(p);
+        for (const int p : was_.pieces_of(old_id)) olds[volume_of(was_, old_piece(p))].push_back(p);
+        for (const int p : is_.pieces_of(new_id)) news[volume_of(is_, new_piece(p))].push_back(p);
         for (const auto& [instance, pieces] : olds)
             if (const auto found = news.find(instance); found != news.end())
                 match_instance(pieces, found->second, motion);

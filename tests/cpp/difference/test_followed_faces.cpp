@@ -163,6 +163,26 @@ TEST_CASE("holes are known by the centres of circles that are by chance as large
     }
 }
 
+TEST_CASE("the first hole of a pattern is no other one where the others are told apart no more") {
+    const auto holes = [](const std::vector<double>& places, const char* source) {
+        std::vector<TopoDS_Shape> bores;
+        for (const double x : places) bores.push_back(cylinder({x, 10, -1}, {0, 0, 1}, 3, 12));
+        PartState state = part(
+            {{"Plate", Effect::adds, {box({0, 0, 0}, {60, 20, 10})}, {}}, {"Pattern", Effect::removes, bores, {}}});
+        state.tree.features[1].role = Role::pattern;
+        state.tree.features[1].volume_source = source;
+        return state;
+    };
+    const PartState was = holes({10, 30}, "instances"),
+                    is = holes({30}, "before and after");  // without what it repeats
+    const std::vector<FollowedFace> followed = follow_faces(was, {}, is, {});
+    REQUIRE(walls_of(was).size() == 2);
+    for (const FaceId wall : walls_of(was)) {
+        const bool is_first = underlying_of(was.brep.face(wall)).position.Location().X() < 20;
+        CHECK(followed[wall.index()].new_faces == (is_first ? std::vector<FaceId>{} : walls_of(is)));
+    }
+}
+
 TEST_CASE("faces that no element of the sketch made are not told by the kernel's order") {
     const SketchElements elements{{"Sketch", {circle(1, {20, 20, 0}, 6)}}};
     const auto swept = [](PartState state) {
