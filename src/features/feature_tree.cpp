@@ -238,7 +238,7 @@ class Interpreter {
     /// A copy of an object has the volumes of that object, moved to the copy's place.
     bool take_copies(int i, int source, Effect context) {
         const auto volumes = volumes_of(source);
-        if (!volumes || volumes->size() < 2) return false;
+        if (!volumes || volumes->empty()) return false;
         auto copies = copied_volumes(record(i), record(source), *volumes, view_);
         if (!copies) return false;
         feature(i).combination = Combination::chain;

@@ -81,7 +81,8 @@ const std::map<std::string, TypeMeaning, std::less<>>& proxies() {
     static const std::map<std::string, TypeMeaning, std::less<>> table{
         {"FeatureBooleanFragments", boolean(Combination::fuse, {}, {"Objects"})},
         {"FeatureXOR", boolean(Combination::exclusive, {}, {"Objects"})},
-        {"FeatureSlice", copy(Role::boolean, {"Base"})},
+        {"FeatureSlice", boolean(Combination::fuse, {"Base"}, {})},
+        {"_CompoundFilter", change({"Base"})},
         {"FeatureConnect", boolean(Combination::fuse, {}, {"Objects"})},
         {"AssembledParts", boolean(Combination::fuse, {}, {"Parts"})},
         {"FeatureEmbed", boolean(Combination::fuse, {"Base"}, {"Tool"})},

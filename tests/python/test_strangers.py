@@ -6,6 +6,8 @@ import FreeCAD
 import ObjectsFem
 import Part
 import Sketcher
+from BOPTools import SplitFeatures
+from CompoundTools import CompoundFilter
 from freecad.featuremesh import api, references, versions
 from parts import Vector, circle, new_document, placement, plate_with_hole, rectangle
 from test_references import names_of
@@ -149,6 +151,37 @@ class OnAPattern(OnAFace):
     def turned_back(face, angle):
         """Where the middle of a face would be on the first pin."""
         return placement(angle=-angle).multVec(face.CenterOfMass) if face.BoundBox.ZMin > 9.99 and face.BoundBox.ZMax > 29.99 else Vector()
+
+
+class OnATurnedBox(OnAFace):
+    """A quarter of a turn puts another side where the chosen one was; the load goes along."""
+
+    def setUp(self):
+        super().setUp()
+        self.box = self.document.addObject("Part::Box", "Box")
+        self.box.Length, self.box.Width, self.box.Height, self.box.Placement = 20, 20, 10, placement(-10, -10)
+        self.document.recompute()
+
+    def check(self, part, chosen, there):
+        self.document.recompute()
+        self.meshed_with_a_load(part, lambda face: (face.CenterOfMass - chosen).Length < 1e-6)
+        self.box.Placement = placement(angle=90).multiply(self.box.Placement)
+        face, = self.loaded()
+        self.assertLess((face.CenterOfMass - there).Length, 1e-6)
+
+    def test_mirrored(self):
+        mirror = self.document.addObject("Part::Mirroring", "Mirror")
+        mirror.Source, mirror.Base, mirror.Normal = self.box, Vector(0, 40, 0), Vector(0, 1, 0)
+        self.check(mirror, Vector(10, 80, 5), Vector(0, 70, 5))
+
+    def test_sliced_apart(self):
+        knife = self.document.addObject("Part::Plane", "Knife")
+        knife.Length, knife.Width, knife.Placement = 100, 100, placement(-50, -50, 6)
+        pieces = SplitFeatures.makeSlice("Slice")
+        pieces.Base, pieces.Tools, pieces.Mode = self.box, [knife], "Split"
+        piece = CompoundFilter.makeCompoundFilter("Piece")
+        piece.Base, piece.FilterType, piece.items = pieces, "specific items", "0"
+        self.check(piece, Vector(10, 0, 3), Vector(0, 10, 3))
 
 
 class OnAMirroredPart(OnAFace):
