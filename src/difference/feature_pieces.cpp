@@ -25,12 +25,17 @@ std::vector<TopoDS_Shape> pieces_of(const TopoDS_Shape& shape) {
 
 std::vector<FeaturePiece> pieces_of(const Feature& feature) {
     std::vector<FeaturePiece> pieces;
-    for (const FeatureVolume& volume : feature.volumes)
-        for (const TopoDS_Shape& shape : pieces_of(volume.shape)) {
-            FeaturePiece piece{shape, volume.effect, outline_of(shape), {}};
+    const auto take = [&](const TopoDS_Shape& whole, Effect effect) {
+        for (const TopoDS_Shape& shape : pieces_of(whole)) {
+            FeaturePiece piece{shape, effect, outline_of(shape), {}};
             piece.box = piece.outline.box();
             pieces.push_back(std::move(piece));
         }
+    };
+    if (feature.volume_source == "copies" && !feature.after.IsNull())
+        take(feature.after, feature.volumes.front().effect);  // the elements of an array
+    else
+        for (const FeatureVolume& volume : feature.volumes) take(volume.shape, volume.effect);
     return pieces;
 }
 

@@ -8,6 +8,7 @@
 
 #include "brep/occt_geometry.h"
 #include "core/geometry.h"
+#include "difference/array_elements.h"
 #include "difference/made_partners.h"
 #include "difference/made_pieces.h"
 #include "difference/place_partners.h"
@@ -33,7 +34,8 @@ class FaceFollower {
           was_(was),
           is_(is),
           partners_(partners_of_made_faces(was, is)),
-          pieces_(was, is) {
+          pieces_(was, is),
+          elements_(old_.tree, new_.tree) {
         followed_.resize(old_.brep.face_count());
         in_place_.resize(followed_.size());
         claimed_.assign(new_.brep.face_count(), 0);
@@ -426,12 +428,15 @@ class FaceFollower {
                            [&](const Origin& origin) { return !tree.is_import(*tree.find(origin.front().feature)); });
     }
 
-    static std::set<Origin> features_of(const MadeFaces& made, FaceId f) {
+    /// By the names that the elements of arrays have now.
+    std::set<Origin> features_of(const MadeFaces& made, FaceId f) const {
         std::set<Origin> origins;
         for (const int m : made.made(f)) {
             const MadePiece& piece = made.pieces()[std::size_t(made.faces()[std::size_t(m)].piece)];
             const Feature& feature = made.state().tree[piece.feature];
             Origin origin = piece.copied_from;
+            if (&made == &was_)
+                for (VolumeName& name : origin) name = elements_.now(name);
             origin.insert(origin.begin(), {feature.name, feature.volume_source == "instances" ? piece.instance : -1});
             origins.insert(origin);
         }
@@ -444,6 +449,7 @@ class FaceFollower {
     const MadeFaces& is_;
     const std::vector<std::vector<int>> partners_;
     MadePieces pieces_;
+    const ArrayElements elements_;
     std::optional<RigidMotion> motion_;
     std::vector<FollowedFace> followed_;
     std::vector<FaceChange> in_place_;

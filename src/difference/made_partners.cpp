@@ -8,6 +8,7 @@
 #include "brep/occt_geometry.h"
 #include "core/geometry.h"
 #include "core/ids.h"
+#include "difference/array_elements.h"
 #include "difference/feature_motion.h"
 #include "difference/underlying_geometry.h"
 #include "features/feature_tree.h"
@@ -24,7 +25,8 @@ bool have_one_in_common(const std::vector<ElementName>& a, const std::vector<Ele
 
 class PieceMatcher {
   public:
-    PieceMatcher(const MadeFaces& was, const MadeFaces& is) : was_(was), is_(is), partners_(was.faces().size()) {}
+    PieceMatcher(const MadeFaces& was, const MadeFaces& is)
+        : was_(was), is_(is), elements_(was.state().tree, is.state().tree), partners_(was.faces().size()) {}
 
     std::vector<std::vector<int>> run() {
         const FeatureTree &old_tree = was_.state().tree, &new_tree = is_.state().tree;
@@ -55,10 +57,19 @@ class PieceMatcher {
         return {VolumeName{is_instance ? "instances" : "", piece.instance}};
     }
 
+    std::vector<VolumeName> volume_now(const MadePiece& old) const {
+        const FeatureTree& tree = was_.state().tree;
+        std::vector<VolumeName> names = volume_of(was_, old);
+        if (names.front().feature.empty())
+            names.front().instance = elements_.now({tree[old.feature].name, old.instance}).instance;
+        for (VolumeName& name : names) name = elements_.now(name);
+        return names;
+    }
+
     void match_feature(FeatureId old_id, FeatureId new_id) {
         const RigidMotion motion = motion_of_feature(old_id, new_id);
         std::map<std::vector<VolumeName>, std::vector<int>> olds, news;
-        for (const int p : was_.pieces_of(old_id)) olds[volume_of(was_, old_piece(p))].push_back(p);
+        for (const int p : was_.pieces_of(old_id)) olds[volume_now(old_piece(p))].push_back(p);
         for (const int p : is_.pieces_of(new_id)) news[volume_of(is_, new_piece(p))].push_back(p);
         for (const auto& [instance, pieces] : olds)
             if (const auto found = news.find(instance); found != news.end())
@@ -219,6 +230,7 @@ class PieceMatcher {
 
     const MadeFaces& was_;
     const MadeFaces& is_;
+    const ArrayElements elements_;
     std::vector<std::vector<int>> partners_;
 };
 }  // namespace

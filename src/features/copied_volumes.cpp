@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "features/copied_volumes.h"
 
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Compound.hxx>
 #include <algorithm>
 #include <gp_Ax2.hxx>
+#include <span>
 
 #include "brep/occt_geometry.h"
 #include "brep/same_solids.h"
@@ -76,6 +80,39 @@ Placements ways_to(const RawRecord& copy, const RawRecord& source) {
     return {to * from.Inverted(), to * to_trsf(source.placement) * from.Inverted()};
 }
 
+std::vector<TopoDS_Shape> solids_of(const TopoDS_Shape& shape) {
+    std::vector<TopoDS_Shape> solids;
+    for (TopExp_Explorer it(shape, TopAbs_SOLID); it.More(); it.Next()) solids.push_back(it.Current());
+    return solids;
+}
+
+bool has_solids(std::span<const TopoDS_Shape> solids, const TopoDS_Shape& wanted) {
+    TopoDS_Compound whole;
+    BRep_Builder().MakeCompound(whole);
+    for (const TopoDS_Shape& solid : solids) BRep_Builder().Add(whole, solid);
+    return same_solids(wanted, whole);
+}
+
+/// From the source to each element of an array, in their order; none where that is no array of it.
+Placements ways_to_elements(const TopoDS_Shape& array, const TopoDS_Shape& source) {
+    const std::vector<TopoDS_Shape> to = solids_of(array), from = solids_of(source);
+    Placements ways;
+    if (from.empty() || to.size() % from.size() != 0) return ways;
+    for (std::size_t k = 0; k < to.size(); k += from.size()) {
+        const gp_Trsf way = (to[k].Location() * from[0].Location().Inverted()).Transformation();
+        const bool is_known = k > 0 && from.size() == 1 && to[k].IsPartner(to[0]);
+        if (!is_known && !has_solids(std::span(to).subspan(k, from.size()), placed(source, way))) return {};
+        ways.push_back(way);
+    }
+    return ways;
+}
+
+FeatureVolume copied(FeatureVolume volume, const gp_Trsf& way) {
+    volume.shape = placed(volume.shape, way);
+    volume.motion = compose(to_motion(way), volume.motion);
+    return volume;
+}
+
 /// The feature's own volumes, as a copy of them is to know them.
 Volumes named_volumes(const Feature& feature) {
     Volumes volumes = feature.volumes;
@@ -107,17 +144,29 @@ std::optional<Volumes> volumes_in_order(const FeatureTree& tree, FeatureId last)
 
 std::optional<Volumes> copied_volumes(const RawRecord& copy, const RawRecord& source, const Volumes& volumes,
                                       const DocumentView& document) {
+    const TopoDS_Shape &from = document.geometry_of(source), &to = document.geometry_of(copy);
+    Volumes copies;
     for (const gp_Trsf& way : ways_to(copy, source)) {
-        if (!same_solids(placed(document.geometry_of(source), way), document.geometry_of(copy))) continue;
-        Volumes copies = volumes;
-        for (std::size_t i = 0; i < copies.size(); ++i) {
-            copies[i].shape = placed(copies[i].shape, way);
-            copies[i].instance = static_cast<std::int64_t>(i);
-            copies[i].motion = compose(to_motion(way), copies[i].motion);
+        if (!same_solids(placed(from, way), to)) continue;
+        for (const FeatureVolume& volume : volumes) {
+            copies.push_back(copied(volume, way));
+            copies.back().instance = static_cast<std::int64_t>(copies.size()) - 1;
         }
         return copies;
     }
-    return std::nullopt;
+    // What limits one element would limit those before it, too.
+    if (std::any_of(volumes.begin(), volumes.end(), [](const auto& v) { return v.step == Effect::keeps_only; }))
+        return std::nullopt;
+    std::int64_t element = 0;
+    for (const gp_Trsf& way : ways_to_elements(to, from)) {
+        for (const FeatureVolume& volume : volumes) {
+            copies.push_back(copied(volume, way));
+            copies.back().instance = element;
+            copies.back().copied_from.insert(copies.back().copied_from.begin(), {copy.name, element});
+        }
+        ++element;
+    }
+    return copies.empty() ? std::nullopt : std::optional(copies);
 }
 
 }  // namespace featuremesh

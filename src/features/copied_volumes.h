@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The volumes of an object that stands elsewhere once more: mirrored, linked or cloned.
+// The volumes of an object that stands elsewhere once more: mirrored, linked, cloned or in an array.
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ namespace featuremesh {
 /// Nothing where the tree combines them otherwise, say cuts away what was itself cut.
 std::optional<std::vector<FeatureVolume>> volumes_in_order(const FeatureTree& tree, FeatureId last);
 
-/// The volumes of `source` where `copy` has them, by the placements of both or the mirror plane; nothing when none of
-/// that makes the solids of the one into those of the other.
+/// The volumes of `source` where `copy` has them, by the placements of both or the mirror plane, or, of an array, once
+/// for each element; nothing when none of that makes the solids of the one into those of the other.
 std::optional<std::vector<FeatureVolume>> copied_volumes(const RawRecord& copy, const RawRecord& source,
                                                          const std::vector<FeatureVolume>& volumes,
                                                          const DocumentView& document);

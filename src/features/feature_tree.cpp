@@ -244,6 +244,7 @@ class Interpreter {
         feature(i).combination = Combination::chain;
         feature(i).volume_source = "copies";
         feature(i).volumes = std::move(*copies);
+        if (feature(i).volumes.size() > volumes->size()) feature(i).after = view_.geometry_of(record(i));  // an array
         for (FeatureVolume& volume : feature(i).volumes) volume.effect = within(context, volume.step);
         return true;
     }

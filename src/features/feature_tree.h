@@ -65,7 +65,8 @@ struct Feature {
     std::string error;          ///< FreeCAD's message; such a feature counts as changed
     std::string volume_source;  ///< how the volumes were had: "own", "before and after", "instances", "copies", "shape"
     std::shared_ptr<const ShapeDifference> difference;  ///< where the volumes are, or should be, from before and after
-    TopoDS_Shape before, after;  ///< what FreeCAD shows before and after it, where it changes a shape; may be null
+    /// What FreeCAD shows before and after it, where it changes a shape or is an array; may be null.
+    TopoDS_Shape before, after;
     Combination combination = Combination::volumes;
     std::vector<FeatureId> operands;  ///< whose results are combined; always earlier features
     std::vector<std::pair<std::string, double>> parameters;

@@ -88,12 +88,12 @@ const std::map<std::string, TypeMeaning, std::less<>>& proxies() {
         {"FeatureEmbed", boolean(Combination::fuse, {"Base"}, {"Tool"})},
         {"Clone", copy(Role::transform, {"Objects"})},
         {"_Clone", copy(Role::transform, {"Objects"})},
-        {"Array", leaf(Role::pattern)},
-        {"_Array", leaf(Role::pattern)},
-        {"PathArray", leaf(Role::pattern)},
-        {"_PathArray", leaf(Role::pattern)},
-        {"PointArray", leaf(Role::pattern)},
-        {"_PointArray", leaf(Role::pattern)}};
+        {"Array", copy(Role::pattern, {"Base"})},
+        {"_Array", copy(Role::pattern, {"Base"})},
+        {"PathArray", copy(Role::pattern, {"Base"})},
+        {"_PathArray", copy(Role::pattern, {"Base"})},
+        {"PointArray", copy(Role::pattern, {"Base"})},
+        {"_PointArray", copy(Role::pattern, {"Base"})}};
     return table;
 }
 

@@ -2,6 +2,7 @@
 """Loads on links, mirrored parts, instances of patterns and sides of a box go to no other feature's face, no other instance and no other side."""
 import unittest
 
+import Draft
 import FreeCAD
 import ObjectsFem
 import Part
@@ -174,6 +175,10 @@ class OnATurnedBox(OnAFace):
         mirror.Source, mirror.Base, mirror.Normal = self.box, Vector(0, 40, 0), Vector(0, 1, 0)
         self.check(mirror, Vector(10, 80, 5), Vector(0, 70, 5))
 
+    def test_in_an_array(self):
+        array = Draft.make_ortho_array(self.box, Vector(40, 0, 0), Vector(0, 40, 0), Vector(0, 0, 40), 2, 1, 1, use_link=False)
+        self.check(array, Vector(50, 0, 5), Vector(40, 10, 5))
+
     def test_sliced_apart(self):
         knife = self.document.addObject("Part::Plane", "Knife")
         knife.Length, knife.Width, knife.Placement = 100, 100, placement(-50, -50, 6)
@@ -182,6 +187,21 @@ class OnATurnedBox(OnAFace):
         piece = CompoundFilter.makeCompoundFilter("Piece")
         piece.Base, piece.FilterType, piece.items = pieces, "specific items", "0"
         self.check(piece, Vector(10, 0, 3), Vector(0, 10, 3))
+
+
+class OnAnArray(OnAFace):
+
+    def test_rows_get_longer_and_shorter(self):
+        """All copies of the rows behind had other numbers then, and their loads went to other copies."""
+        pin = self.document.addObject("Part::Cylinder", "Pin")
+        pin.Radius, pin.Height = 5, 10
+        self.document.recompute()
+        array = Draft.make_ortho_array(pin, Vector(40, 0, 0), Vector(0, 40, 0), Vector(0, 0, 40), 2, 2, 1, use_link=False)
+        self.document.recompute()
+        self.meshed_with_a_load(array, lambda face: (face.CenterOfMass - Vector(40, 0, 5)).Length < 1e-6)
+        for rows in (3, 1):
+            array.NumberY = rows
+            self.assertEqual([(face.CenterOfMass - Vector(40, 0, 5)).Length < 1e-6 for face in self.loaded()], [True])
 
 
 class OnAMirroredPart(OnAFace):
