@@ -63,8 +63,9 @@ ArrayElements::ArrayElements(const FeatureTree& was, const FeatureTree& is) {
         std::map<std::int64_t, std::int64_t> numbers;
         std::size_t staying = 0;
         for (const auto& [number, place] : old_elements) {
-            const auto found = std::find_if(new_elements.begin(), new_elements.end(),
-                                            [&, &there = place](const auto& e) { return is_same_place(e.second, there); });
+            const auto found =
+                std::find_if(new_elements.begin(), new_elements.end(),
+                             [&, &there = place](const auto& e) { return is_same_place(e.second, there); });
             numbers[number] = found == new_elements.end() ? gone : found->first;
             staying += found != new_elements.end();
         }

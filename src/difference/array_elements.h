@@ -21,7 +21,8 @@ class ArrayElements {
     VolumeName now(const VolumeName& element) const;
 
   private:
-    std::map<std::string, std::map<std::int64_t, std::int64_t>> new_numbers_;  // of the arrays whose numbers do not tell
+    std::map<std::string, std::map<std::int64_t, std::int64_t>>
+        new_numbers_;  // of the arrays whose numbers do not tell
 };
 
 /// Does the volume belong to an element of an array, and not to a mirrored part or a link to one?
