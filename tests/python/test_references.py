@@ -173,6 +173,25 @@ class FragmentsOfBoxes(unittest.TestCase):
         found = [round(part.Shape.Solids[int(name[len("Solid"):]) - 1].Volume) for material in materials for _, name in names_of(material)]
         self.assertEqual(found, [850, 150])
 
+    def test_a_solid_that_is_cut_in_two_keeps_its_material(self):
+        """The other piece had the material of the rest, or none."""
+        slot, cut = self.document.addObject("Part::Box", "Slot"), self.document.addObject("Part::Cut", "Cut")
+        slot.Length, slot.Width, slot.Height, slot.Placement.Base = 2, 5, 20, FreeCAD.Vector(14, -1, -5)
+        cut.Base, cut.Tool = self.right, slot
+        part, analysis = self.fragments_of(self.left, cut), ObjectsFem.makeAnalysis(self.document, "Analysis")
+        soft, steel = (ObjectsFem.makeMaterialSolid(self.document, name) for name in ("Soft", "Steel"))
+        chosen, = ["Solid%d" % number for number, solid in enumerate(part.Shape.Solids, 1) if solid.CenterOfMass.x > 10]
+        soft.Material = steel.Material = STEEL
+        soft.References = [(part, chosen)]
+        for material in (soft, steel):
+            analysis.addObject(material)
+        api.add_mesh(part, 4.0, order=1, active_analysis=analysis)
+        self.document.recompute()
+        for x in (14, 13):
+            slot.Width, slot.Placement.Base.x = 20, x
+            self.document.recompute()
+            self.assertEqual(sorted(round(part.Shape.Solids[int(name[len("Solid"):]) - 1].Volume) for _, name in names_of(soft)), sorted([100 * (x - 10), 100 * (18 - x)]))
+
     def test_what_was_cut_off_a_moved_body_has_nothing(self):
         """A face of an earlier feature is where its body is, not where another face of the part happens to be."""
         body = plate_with_hole(self.document)

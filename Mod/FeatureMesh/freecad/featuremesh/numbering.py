@@ -41,9 +41,10 @@ class Numbering:
         index = int(number) - 1
         if index >= len(olds):
             return []
+        if kind == "Solid":
+            return ["Solid%d" % (i + 1) for i in self._solids_now(index)]
         images = [self._became.get(face, set()) for face in old_faces[index]]
-        found = self._best_overlap(index, old_faces, new_faces) if kind == "Solid" else \
-            [i for i, around in enumerate(new_faces) if len(around) == len(images) and all(image & around for image in images)]
+        found = [i for i, around in enumerate(new_faces) if len(around) == len(images) and all(image & around for image in images)]
         if len(found) != 1:
             tolerance = _SAME_PLACE * self._new_shape.BoundBox.DiagonalLength
             staying = [i for i in found or range(len(news)) if _same_place(olds[index], news[i], tolerance)]
@@ -53,15 +54,25 @@ class Numbering:
                 if pieces:
                     return ["%s%d" % (kind, i + 1) for i in pieces]
                 alike, found = _left(index, alike, found, olds, news, tolerance) if len(alike) != len(found) else (alike, found)
-            is_choice = len(staying) != 1 and kind != "Solid" and len(alike) == len(found)
+            is_choice = len(staying) != 1 and len(alike) == len(found)
             found = self._lying_alike(index, alike, found, olds, news) if is_choice else staying
         return ["%s%d" % (kind, found[0] + 1)] if len(found) == 1 else []
 
-    def _best_overlap(self, index, olds, news):
-        """The solids after (sets of faces) that have most faces of the one before; one that has more of another before, which is around this one, is that."""
-        images = [set().union(*(self._became.get(face, set()) for face in around)) for around in olds]
-        shared = [len(images[index] & around) for around in news]
-        return [i for i, count in enumerate(shared) if count and count == max(shared) and all(len(image & news[i]) <= count for image in images)]
+    def _solids_now(self, index):
+        """Indices of the solid after that has most faces of the one before, unless it has more of another before, which is around this one; and of its other pieces, which
+        have faces of no other."""
+        olds, old_faces, news, new_faces = self._both("Solid")
+        images = [set().union(*(self._became.get(face, set()) for face in around)) for around in old_faces]
+        others, followed = images[:index] + images[index + 1:], set().union(*images)
+        shared = [len(images[index] & around) for around in new_faces]
+        best = [i for i, count in enumerate(shared) if count and count == max(shared) and all(len(other & new_faces[i]) <= count for other in others)]
+        tolerance = _SAME_PLACE * self._new_shape.BoundBox.DiagonalLength
+        staying = [i for i in best or range(len(news)) if _same_place(olds[index], news[i], tolerance)]
+        pieces = [i for i, count in enumerate(shared) if count and followed & new_faces[i] <= images[index]
+                  and all(len(other & new_faces[i]) < count or images[index] < other for other in others)]   # of a core the solid around it has all faces, too
+        if len(staying) == 1:
+            return staying
+        return sorted({*pieces, *best}) if len(best) == 1 else pieces
 
     def _lying_alike(self, index, alike, found, olds, news):
         """Of as many members after as before, all with the same faces, the one that lies among them as `index` did; none where that leaves a choice."""
