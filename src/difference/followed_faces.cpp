@@ -415,6 +415,7 @@ class FaceFollower {
         const UnderlyingSurface was = underlying_of(old_.brep.face(f)), is = underlying_of(new_.brep.face(g));
         if (was.kind != is.kind || is_known_elsewhere(f, g)) return false;
         const std::set<Origin> olds = features_of(was_, f), news = features_of(is_, g);
+        if (olds.empty() && is_made(new_.tree, news)) return false;  // by what is no volume, as the tool of a slice
         if (!olds.empty() && !news.empty() &&
             std::none_of(olds.begin(), olds.end(), [&](const Origin& origin) { return news.contains(origin); }))
             return false;

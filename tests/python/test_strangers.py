@@ -179,14 +179,31 @@ class OnATurnedBox(OnAFace):
         array = Draft.make_ortho_array(self.box, Vector(40, 0, 0), Vector(0, 40, 0), Vector(0, 0, 40), 2, 1, 1, use_link=False)
         self.check(array, Vector(50, 0, 5), Vector(40, 10, 5))
 
-    def test_sliced_apart(self):
+    def slice_of(self, part):
         knife = self.document.addObject("Part::Plane", "Knife")
         knife.Length, knife.Width, knife.Placement = 100, 100, placement(-50, -50, 6)
         pieces = SplitFeatures.makeSlice("Slice")
-        pieces.Base, pieces.Tools, pieces.Mode = self.box, [knife], "Split"
+        pieces.Base, pieces.Tools, pieces.Mode = part, [knife], "Split"
+        self.document.recompute()
+        return pieces
+
+    def test_sliced_apart(self):
         piece = CompoundFilter.makeCompoundFilter("Piece")
-        piece.Base, piece.FilterType, piece.items = pieces, "specific items", "0"
+        piece.Base, piece.FilterType, piece.items = self.slice_of(self.box), "specific items", "0"
         self.check(piece, Vector(10, 0, 3), Vector(0, 10, 3))
+
+    def test_where_a_slice_cuts_no_more(self):
+        """Between the same sides there is the top of the box then, which had been cut off."""
+        beside, lid = (self.document.addObject("Part::Box", name) for name in ("Beside", "Lid"))
+        lid.Length, lid.Width, lid.Placement, beside.Placement = 30, 30, placement(-15, -15, 8), placement(20)
+        cut, both = self.document.addObject("Part::Cut", "Cut"), self.document.addObject("Part::Compound", "Both")
+        cut.Base, cut.Tool, both.Links = self.box, lid, [cut, beside]
+        self.document.recompute()
+        self.meshed_with_a_load(self.slice_of(both), lambda face: abs(face.CenterOfMass.z - 6) + abs(face.CenterOfMass.x) < 1e-6)
+        self.assertTrue(self.loaded())
+        self.box.Placement.Base.z = -5
+        self.assertEqual(self.loaded(), [])
+        self.assertEqual([obj for obj, _ in references.unmended(self.document.Analysis)], [self.load])
 
 
 class OnAnArray(OnAFace):
