@@ -122,6 +122,29 @@ class AnUndo(OnAFace):
         self.assertTrue(all(map(self.is_hole, self.loaded())))
         self.assertEqual(len(self.loaded()), 1)
 
+    def test_a_load_that_a_redo_brings_back(self):
+        """It was chosen in a step while the mesh waited, and the recompute that gave its face another number was outside of that."""
+        body = plate_with_hole(self.document)
+        self.document.UndoMode = 1
+        self.meshed_with_a_load(body, self.is_hole)
+        self.document.openTransaction("Edit")
+        self.mesh.Automatic = False
+        self.load = ObjectsFem.makeConstraintPressure(self.document, "Other")
+        self.load.References = [(body, ["Face%d" % number for number, face in enumerate(body.Shape.Faces, 1) if self.is_hole(face)])]
+        self.document.Analysis.addObject(self.load)
+        chamfer = body.newObject("PartDesign::Chamfer", "Chamfer")
+        chamfer.Base, chamfer.Size = (self.document.Hole, ["Edge1", "Edge2"]), 1
+        body.Tip, self.mesh.Automatic = chamfer, True
+        self.document.commitTransaction()
+        before = names_of(self.load)
+        self.document.recompute()
+        self.assertNotEqual(names_of(self.load), before)
+        self.document.undo()
+        self.document.recompute()
+        self.document.redo()
+        self.load = self.document.Other
+        self.assertEqual(list(map(self.is_hole, self.loaded())), [True])
+
     @staticmethod
     def is_hole(face):
         return isinstance(face.Surface, Part.Cylinder)

@@ -336,10 +336,10 @@ class FeatureMesh(Stateless):
         """To be called when other objects belong to the mesh or its analysis, or when an undo or redo may have changed what they refer to."""
         if self._following or not mesh.SavedState or versions.part_of(mesh) is None:
             return
-        record, deleted = self._record(mesh), history.deleted_of(mesh.Document)
-        new = [obj for obj in self._referring(mesh) if obj.References and (
-            obj.Name not in record or (references.differs if after_undo else references.was_changed_by_hand)(obj, record[obj.Name], deleted))]
-        if left := self._noted.left_by_undo(new) if after_undo and has_shape(versions.part_of(mesh)) else {}:
+        record, deleted, differs = self._record(mesh), history.deleted_of(mesh.Document), references.differs if after_undo else references.was_changed_by_hand
+        new = [obj for obj in self._referring(mesh) if obj.References and (obj.Name not in record or differs(obj, record[obj.Name], deleted))]
+        if left := self._noted.left_by_undo(mesh, record, new) if after_undo and has_shape(versions.part_of(mesh)) else {}:
+            new += [obj for obj in self._referring(mesh) if obj.Name in left and obj not in new]
             mesh.ReferredTo, raw = json.dumps({**record, **left}, sort_keys=True), read_document(versions.part_of(mesh))
             self._follow(mesh, [obj for obj in new if obj.Name in left], raw, lambda: engine.load().followed_faces(self._raw, raw))
         if new:

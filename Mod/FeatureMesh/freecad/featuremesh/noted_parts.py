@@ -12,6 +12,8 @@ from . import state
 from .reading import elements_of_today, with_elements
 from .references import differs
 
+_STATES = 20   # as many as FreeCAD has steps of undo
+
 
 class NotedParts:
     """Of one mesh object."""
@@ -20,6 +22,7 @@ class NotedParts:
         self._parts = {}    # by what the record calls it: the part as reading.read_document gives it
         self._packed = {}   # the same as text
         self._last = {}, None   # the record that was stored last, which an undo does not bring back, and the part that was meshed then
+        self._stored = {}   # by the text of a record: the checksum of the mesh's state when it was stored, and the part that was meshed then
 
     def name_of(self, raw):
         """What the record is to call the part as it was read."""
@@ -33,15 +36,23 @@ class NotedParts:
         """The part that the record calls so; None where it is gone."""
         return self._parts.get(name)
 
-    def left_by_undo(self, objects):
-        """{name: entry of the record}, each with its part, of those of the objects whose references an undo or redo has left as they were."""
-        record, meshed = self._last
-        left = {obj.Name: record[obj.Name] for obj in objects if meshed is not None and obj.Name in record and not differs(obj, record[obj.Name], ())}
-        return {name: {"of": self.name_of(meshed), **known} for name, known in left.items()}
+    def left_by_undo(self, mesh, record, objects):
+        """{name: entry of the record}, each with its part, of those of the objects whose references an undo or redo has left as they were, and of all in a `record` of another
+        mesh than it has left: FreeCAD takes back what a step set, and no more."""
+        last, meshed = self._last
+        left = {obj.Name: (last[obj.Name], meshed) for obj in objects if meshed is not None and obj.Name in last and not differs(obj, last[obj.Name], ())}
+        checksum, then = self._stored.get(mesh.ReferredTo, (None, None))
+        if then is not None and checksum != state.checksum_of(mesh.SavedState):
+            left = {**{name: (known, then) for name, known in record.items() if "of" not in known}, **left}
+        return {name: {"of": self.name_of(part), **known} for name, (known, part) in left.items()}
 
     def store(self, mesh, record, meshed):
-        """To be called with each new record, and the part as it was meshed last."""
+        """To be called with each new record, which the mesh has already, and the part as it was meshed last."""
         self._last = record, meshed
+        self._stored.pop(mesh.ReferredTo, None)
+        self._stored[mesh.ReferredTo] = state.checksum_of(mesh.SavedState), meshed
+        if len(self._stored) > _STATES:
+            self._stored.pop(next(iter(self._stored)))
         names = {known["of"] for known in record.values() if "of" in known}
         text = json.dumps({name: self._packed[name] for name in sorted(names) if name in self._packed}) if names else ""
         if mesh.NotedParts != text:
