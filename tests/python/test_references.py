@@ -192,6 +192,24 @@ class FragmentsOfBoxes(unittest.TestCase):
             self.document.recompute()
             self.assertEqual(sorted(round(part.Shape.Solids[int(name[len("Solid"):]) - 1].Volume) for _, name in names_of(soft)), sorted([100 * (x - 10), 100 * (18 - x)]))
 
+    def test_what_two_solids_have_in_common_gets_the_material_of_neither(self):
+        ball, ring = self.document.addObject("Part::Sphere", "Ball"), self.document.addObject("Part::Torus", "Ring")
+        ring.Placement.Base.x = 40
+        part, analysis = self.fragments_of(ball, ring), ObjectsFem.makeAnalysis(self.document, "Analysis")
+        materials = [ObjectsFem.makeMaterialSolid(self.document, name) for name in ("OfBall", "OfRing")]
+        for material, is_left in zip(materials, (True, False)):
+            material.Material = STEEL
+            material.References = [(part, "Solid%d" % number) for number, solid in enumerate(part.Shape.Solids, 1) if (solid.CenterOfMass.x < 15) == is_left]
+            analysis.addObject(material)
+        api.add_mesh(part, 4.0, order=1, active_analysis=analysis)
+        self.document.recompute()
+        ring.Placement.Base.x = 15
+        self.document.recompute()
+        self.assertEqual(len(part.Shape.Solids), 3)
+        common = min(part.Shape.Solids, key=lambda solid: solid.Volume)
+        for _, name in [pair for material in materials for pair in names_of(material)]:
+            self.assertFalse(part.Shape.Solids[int(name[len("Solid"):]) - 1].isSame(common))
+
     def test_what_was_cut_off_a_moved_body_has_nothing(self):
         """A face of an earlier feature is where its body is, not where another face of the part happens to be."""
         body = plate_with_hole(self.document)

@@ -70,6 +70,8 @@ class Numbering:
         staying = [i for i in best or range(len(news)) if _same_place(olds[index], news[i], tolerance)]
         pieces = [i for i, count in enumerate(shared) if count and followed & new_faces[i] <= images[index]
                   and all(len(other & new_faces[i]) < count or images[index] < other for other in others)]   # of a core the solid around it has all faces, too
+        alone = images[index].difference(*others)
+        pieces = [i for i in pieces if not any(alone & new_faces[i] & around for k, around in enumerate(new_faces) if k not in pieces)]   # another solid came to be around it
         if len(staying) == 1:
             return staying
         return sorted({*pieces, *best}) if len(best) == 1 else pieces
