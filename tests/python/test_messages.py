@@ -106,6 +106,14 @@ class Messages(unittest.TestCase):
             self.assertEqual(user_words.in_words(CROSSING), "ganz neu vernetzt: Edge7 und Face2; Face2 und sich selbst")
         self.assertEqual(messages.english(CROSSING), "full mesh: Face2 and Edge7; Face2 and itself")
 
+    def test_by_itself_it_begins_with_a_capital_and_a_label_stays_as_it_is(self):
+        within = messages.said("{all:messages}", all=[CROSSING, TOO_LARGE])
+        self.assertEqual([user_words.as_sentence(message) for message in (messages.said("cannot write {path:text}", path="a"), within, CROSSING["parameters"]["why"][0],
+                                                                          messages.said("{part:text} has no mesh", part="plate"), "plate: no", "")],
+                         ["Cannot write a", "F" + user_words.in_words(within)[1:], "Face2 and Edge7", "plate has no mesh", "plate: no", ""])
+        with translated({CROSSING["template"]: "überall neu"}):
+            self.assertEqual(user_words.as_sentence(CROSSING), "Überall neu")
+
     def test_lengths_are_in_the_users_units(self):
         self.assertEqual(messages.english(messages.said("{old:volume}, {place:length}", old=1.25e-10, place=1.25e-10)), "1.25e-10 mm^3, 0 mm")
         volume = messages.said("volume {old:volume} at {place:point}", old=16387.064, place=[25.4, 0.0, -2.54])

@@ -121,6 +121,17 @@ class Words(string.Formatter):
         owners = message.get("owners", {})
         return self.vformat(self._translated(message["template"]), (), {name: _owned_names(value, owners) for name, value in message["parameters"].items()})
 
+    def sentence(self, message):
+        """The same as a sentence of its own. A label, a number or a face that it begins with stays as it is."""
+        text = self.put(message)
+        return text[:1].upper() + text[1:] if self._begins_with_words(message) else text
+
+    def _begins_with_words(self, message):
+        if not is_message(message):
+            return False
+        words, name, kind, _ = next(self.parse(self._translated(message["template"])))
+        return bool(words) or kind == "messages" and self._begins_with_words(next(iter(_listed(message["parameters"][name])), ""))
+
     def format_field(self, value, kind):
         if "|" in kind:
             return kind.split("|")[value != 1]

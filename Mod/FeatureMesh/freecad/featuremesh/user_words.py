@@ -24,6 +24,11 @@ def in_words(message):
     return _WORDS.put(message)
 
 
+def as_sentence(message):
+    """The same where it stands by itself, beginning with a capital."""
+    return _WORDS.sentence(message)
+
+
 def in_users_units(text):
     """The same text with its lengths, areas and volumes (mm, mm^2, mm^3) in the user's units."""
     return text if are_lengths_in_mm() else _QUANTITY.sub(_converted, text)

@@ -8,7 +8,7 @@ from PySide import QtCore
 from .. import api, log
 from ..mesh_object import is_cancelled
 from ..messages import entities_in, of_error
-from ..user_words import in_words
+from ..user_words import as_sentence
 from . import message_box
 from .showing import show_part
 
@@ -20,7 +20,7 @@ def show(error, part=None):
     if is_cancelled(error):
         Gui.getMainWindow().statusBar().showMessage(translate("FeatureMesh", "Cancelled; the mesh is as it was."), 5000)
         return
-    message = in_words(of_error(error))
+    message = as_sentence(of_error(error))
     log.write_error(error)
     FreeCAD.Console.PrintError("FeatureMesh: %s\n" % message)
     select_named(error, part)

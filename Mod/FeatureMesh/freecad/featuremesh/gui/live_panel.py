@@ -183,7 +183,7 @@ class LivePanel(ClosesWithObject):
             try:
                 recording.run(api.solve_live, self.live)
             except (UserError, RuntimeError) as error:
-                self.status.setText(user_words.in_words(messages.of_error(error)))
+                self.status.setText(user_words.as_sentence(messages.of_error(error)))
         self._show_run()
 
     def _take_ten_nodes(self):

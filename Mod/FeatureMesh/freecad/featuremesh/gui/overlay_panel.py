@@ -8,7 +8,7 @@ from .. import view_provider
 from ..errors import UserError
 from ..mesh_properties import what_it_is_of
 from ..messages import of_error
-from ..user_words import in_words
+from ..user_words import as_sentence
 from . import narrow, showing, wheel
 from .closes_with_object import ClosesWithObject
 from .cut_box import CutBox
@@ -61,7 +61,7 @@ class OverlayPanel(ClosesWithObject):
         try:
             self.overlay = self.make_overlay()
         except (UserError, RuntimeError) as error:   # ours and the engine's; nothing of what was is shown any longer
-            self.overlay, said = None, in_words(of_error(error))
+            self.overlay, said = None, as_sentence(of_error(error))
         self._show(said)
 
     def draw(self):

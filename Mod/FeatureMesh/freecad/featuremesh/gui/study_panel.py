@@ -79,7 +79,7 @@ class StudyPanel(ClosesWithObject):
         try:
             done, total, left, words = window_run.how_far(study_object.existing_folder_of(self.study), run.jobs if run else 1, self._running_since)
         except UserError as error:
-            (done, total, left, words), unreadable = (0, 0, None, ""), user_words.in_words(of_error(error))
+            (done, total, left, words), unreadable = (0, 0, None, ""), user_words.as_sentence(of_error(error))
         self.run_button.setText(translate("FeatureMesh", "Stop") if running else translate("FeatureMesh", "Run"))
         can_add = bool(total) and done == total and self.study.Sampling in design.COUNTED and study_object.is_as_run(self.study)
         self.go_on_button.setVisible(not running and (done < total or can_add))
@@ -225,7 +225,7 @@ class StudyPanel(ClosesWithObject):
             study.Parameters = self.dimensions.parameters()
             self._wrong = ""
         except UserError as error:
-            self._wrong = user_words.in_words(of_error(error))
+            self._wrong = user_words.as_sentence(of_error(error))
             self.refresh()
             return
         rows = [self.responses.item(row) for row in range(self.responses.count())]

@@ -13,7 +13,7 @@ from ..errors import UserError
 from ..messages import of_error, said
 from ..study import answers, report, response_words, study_object, table
 from ..study.folder import StudyFolder, has_study
-from ..user_words import as_shown, figure, in_words
+from ..user_words import as_sentence, as_shown, figure, in_words
 from . import errors, narrow, recording
 from .save_dialog import ask_for_file
 from .study_plots import PlotTab
@@ -87,7 +87,7 @@ class StudyWindow(QtGui.QDialog):
             if has_study(path):
                 self._take(StudyFolder(path))
         except UserError as error:
-            self.note.setText(in_words(of_error(error)))
+            self.note.setText(as_sentence(of_error(error)))
         QtCore.QTimer.singleShot(0, lambda: self._rest(begun))   # when all is drawn
 
     def _rest(self, begun):

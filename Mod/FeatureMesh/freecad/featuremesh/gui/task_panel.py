@@ -17,7 +17,7 @@ from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, FAILED, NOT_MESHED, S
 from ..messages import of_error, said
 from . import driven, enough_memory, freecad_widget, narrow, recording, wheel
 from .errors import select_named
-from ..user_words import as_shown, in_words
+from ..user_words import as_sentence, as_shown, in_words
 from .running import RunningJob, step_in_words
 from .showing import show_mesh
 from .undo import undo_step
@@ -495,7 +495,7 @@ class MeshPanel:
         try:
             raw, options = api.estimate_input(self.mesh, self._raw, self.settings())
         except Exception as error:
-            self.estimate.setText(in_words(of_error(error)))
+            self.estimate.setText(as_sentence(of_error(error)))
             return
         self._raw = raw
         self._estimate = _Estimate(raw, options)
@@ -554,4 +554,4 @@ class _Estimate(threading.Thread):
             count = api.estimated_tets(self.raw, self.options)
             self.text = translate("FeatureMesh", "about %s elements") % format(int(float("%.2g" % count)), ",d").replace(",", " ")
         except Exception as error:
-            self.text = in_words(of_error(error))
+            self.text = as_sentence(of_error(error))
