@@ -247,7 +247,7 @@ def check_mesh_of_another_maker():
     theirs = ObjectsFem.makeMeshGmsh(document, "Gmsh")
     region, group = ObjectsFem.makeMeshRegion(document, theirs, 0.5), ObjectsFem.makeMeshGroup(document, theirs)
     region.References, group.References = [(box, "Face1")], [(box, "Face2")]
-    theirs.CharacteristicLengthMax = 2.5
+    theirs.CharacteristicLengthMax, theirs.ElementOrder = 2.5, "1st"
     analysis.addObject(theirs)
     document.recompute()
     seen = []
@@ -264,7 +264,7 @@ def check_mesh_of_another_maker():
             wait_for(lambda: not Gui.Control.activeDialog())
         assert analysis.Group == (members or [mesh]), (text, button, analysis.Group)
     assert seen == ["Analysis has the mesh Gmsh, and an analysis is solved with one mesh."] * 4, seen
-    assert (mesh.Size.Value, mesh.MeshRegionList, mesh.MeshGroupList) == (2.5, [region], [group])
+    assert (mesh.Size.Value, mesh.Order, mesh.MeshRegionList, mesh.MeshGroupList) == (2.5, "1st", [region], [group])
     assert (mesh.Status, theirs.ViewObject.Visibility) == ("up to date", False), mesh.Status
     groups = [mesh.FemMesh.getGroupName(number) for number in mesh.FemMesh.Groups]
     assert any(name.startswith(group.Name) for name in groups), groups

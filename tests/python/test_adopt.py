@@ -4,6 +4,7 @@ import os
 import shutil
 import tempfile
 import unittest
+from types import SimpleNamespace
 
 import FreeCAD
 import Fem
@@ -103,6 +104,21 @@ class Adopt(unittest.TestCase):
         self.assertIn("do not fit the part", english(report["fallback"]))
         self.assertGreater(report["kept"]["tets_share"], 0.3)
         self.assertLess(report["kept"]["tets_share"], 1.0)
+
+    def test_a_mesh_in_place_of_another_has_its_order_where_none_is_asked_for(self):
+        theirs = ObjectsFem.makeMeshGmsh(self.document, "Theirs")
+        for asked, order, found in (("1st", None, "1st"), ("2nd", None, "2nd"), ("1st", 2, "2nd")):
+            theirs.ElementOrder = asked
+            self.assertEqual(api.add_mesh(self.body, SIZE, order, in_place_of=theirs).Order, found)
+        self.assertEqual([adopt.asked_order(SimpleNamespace(SecondOrder=is_second, ElementOrder=3)) for is_second in (False, True)], [1, 2])   # Netgen's
+        imported = self.document.addObject("Fem::FemMeshObject", "Imported")
+        for nodes, order in ((0, 2), (4, 1)):
+            fem_mesh = Fem.FemMesh()
+            numbers = [fem_mesh.addNode(*map(float, point)) for point in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))]
+            if nodes:
+                fem_mesh.addVolume(numbers)
+            imported.FemMesh = fem_mesh
+            self.assertEqual(adopt.asked_order(imported), order)
 
     def test_command_and_refusals(self):
         self.gmsh("1st")

@@ -71,6 +71,14 @@ def asked_size(obj):
     return next((length for length in lengths if 0 < length < 1000), None)
 
 
+def asked_order(obj):
+    """The order of the elements that Gmsh's or Netgen's mesh object was given, of another mesh that of its elements; 2 where nothing tells it."""
+    if hasattr(obj, "SecondOrder"):   # Netgen's; its ElementOrder of FreeCAD 1.1 is a number that Netgen does not use for this
+        return 2 if obj.SecondOrder else 1
+    nodes = [obj.FemMesh.getElementNodes(number) for number in obj.FemMesh.Volumes[:1]] if obj is not None else []
+    return 1 if getattr(obj, "ElementOrder", None) == "1st" or not hasattr(obj, "ElementOrder") and list(map(len, nodes)) == [4] else 2
+
+
 def typical_size(arrays):
     """The edge length that most of the mesh's surface has (of its inside where it has no triangles), mm, rounded to three digits."""
     kind = "triangles" if len(arrays["triangles"]) else "tets"

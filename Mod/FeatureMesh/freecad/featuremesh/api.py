@@ -28,20 +28,21 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 DEFAULT_ELEMENTS = 30
 
 
-def add_mesh(part, size=None, order=2, threads=0, name="FeatureMesh", automatic=True, elements=DEFAULT_ELEMENTS,
+def add_mesh(part, size=None, order=None, threads=0, name="FeatureMesh", automatic=True, elements=DEFAULT_ELEMENTS,
              join_analysis=True, active_analysis=None, dimension=FROM_SHAPE, ignore_below=0.0, in_place_of=None):
     """Adds a mesh object for `part` to its document; recompute it, or call update_mesh, to mesh.
 
     Of a container (App::Part, group, assembly) all parts are meshed, each by itself, by way of an object that shows them (see assembled.py); so is a link.
 
-    `size` in mm, by default the part's diagonal over `elements`; `order` 2 for 10-node tetrahedra, 1 for 4-node ones, which are far too stiff
+    `size` in mm, by default the part's diagonal over `elements`; `order` 2 for 10-node tetrahedra (the default), 1 for 4-node ones, which are far too stiff
     in bending; `dimension` "Solids", "Faces" (triangles for shells), "Edges" (segments for beams), or by default what the shape has. Details smaller
     than `ignore_below` (mm) get no elements of their own; 0: those below a two-hundredth of the size, or fewer where the part cannot be meshed without
     them, negative: none. It joins the active analysis, where one is given, or the one that it is for, see analyses.for_new_mesh; or those of `in_place_of`, a mesh object
-    of another maker that leaves them and stays in the document, whose refinements and groups are the new mesh's, too, and whose size is the default.
+    of another maker that leaves them and stays in the document, whose refinements and groups are the new mesh's, too, and whose size and order are the defaults.
     Throws UserError for sizes that make no sense.
     """
     reading.refuse_gone(part)
+    order = adopt.asked_order(in_place_of) if order is None else order
     if order not in (1, 2):
         raise UserError(said("the order is 1 (4-node) or 2 (10-node), not {order:text}", order=str(order)))
     if not isinstance(threads, int) or threads < 0:

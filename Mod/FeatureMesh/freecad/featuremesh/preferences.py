@@ -51,9 +51,10 @@ def put_colour(name, rgb):
     FreeCAD.ParamGet(GROUP).SetUnsigned(name, red << 24 | green << 16 | blue << 8 | 255)
 
 
-def for_new_mesh():
-    """The settings of a new mesh as arguments of api.add_mesh."""
-    return {"elements": get("ElementsAlongDiagonal"), "order": 2 if get("SecondOrder") else 1, **for_adopted_mesh()}
+def for_new_mesh(in_place_of=None):
+    """The settings of a new mesh as arguments of api.add_mesh; one `in_place_of` another maker's has the order of that."""
+    order = {"order": 2 if get("SecondOrder") else 1} if in_place_of is None else {"in_place_of": in_place_of}
+    return {"elements": get("ElementsAlongDiagonal"), **order, **for_adopted_mesh()}
 
 
 def for_adopted_mesh():

@@ -46,7 +46,7 @@ class Command(MeshCommand):
         """Adds a mesh; the panel's OK and Apply end the transaction, Cancel takes it back."""
         document.openTransaction(self.title)
         try:
-            mesh = recording.make(api.add_mesh, part, active_analysis=FemGui.getActiveAnalysis(), in_place_of=in_place_of, **preferences.for_new_mesh())
+            mesh = recording.make(api.add_mesh, part, active_analysis=FemGui.getActiveAnalysis(), **preferences.for_new_mesh(in_place_of))
             if in_place_of is not None:
                 in_place_of.ViewObject.Visibility = False
             _open(mesh)
@@ -62,7 +62,7 @@ class Command(MeshCommand):
     def ask_whose_place(self, analysis, mesh):
         """The analysis has a mesh that is not ours: "take" its place, "keep" it there, or None."""
         return message_box.answer(self.title, translate("FeatureMesh", "%s has the mesh %s, and an analysis is solved with one mesh.") % (analysis.Label, mesh.Label),
-                      translate("FeatureMesh", "The new mesh can take its place, with its refinements, groups and size; %s stays in the document.") % mesh.Label,
+                      translate("FeatureMesh", "The new mesh can take its place, with its refinements, groups, size and order; %s stays in the document.") % mesh.Label,
                       {"take": translate("FeatureMesh", "Take its place"), "keep": translate("FeatureMesh", "Leave it there")})
 
 

@@ -49,7 +49,7 @@ def _mesh_of(document, study, analysis):
     """The document's mesh, with the size and order that the study asks for, or a new one."""
     mesh, part = subject.mesh_of(document, study, analysis), api.find_part(document, study.object)
     if mesh is None:
-        return api.add_mesh(part, study.mesh_size, study.mesh_order or 2, in_place_of=_other_makers_mesh(document, study, analysis))
+        return api.add_mesh(part, study.mesh_size, study.mesh_order, in_place_of=_other_makers_mesh(document, study, analysis))
     if study.mesh_size is not None:
         api.check_size(study.mesh_size, part)
         mesh.Size = study.mesh_size

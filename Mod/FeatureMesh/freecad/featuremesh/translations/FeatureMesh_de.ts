@@ -635,8 +635,8 @@
       <translation>Das Netz ist zu fein für den mitlaufenden Löser, dessen Matrix mehr als 2 Milliarden Einträge hätte. Eine größere Größe wählen.</translation>
     </message>
     <message>
-      <source>The new mesh can take its place, with its refinements, groups and size; %s stays in the document.</source>
-      <translation>Das neue Netz kann seinen Platz nehmen, mit seinen Verfeinerungen, Gruppen und seiner Größe; %s bleibt im Dokument.</translation>
+      <source>The new mesh can take its place, with its refinements, groups, size and order; %s stays in the document.</source>
+      <translation>Das neue Netz kann seinen Platz nehmen, mit seinen Verfeinerungen, Gruppen, seiner Größe und Ordnung; %s bleibt im Dokument.</translation>
     </message>
     <message>
       <source>The number of elements across walls is {asked:number}; it must not be negative (0 turns it off).</source>
