@@ -308,7 +308,7 @@ def check_folder_goes(study):
     for button in (results.report_button, results.export_button):
         with mock.patch.object(QtGui.QFileDialog, "getSaveFileName", return_value=(away + ".csv", "CSV (*.csv)")), mock.patch.object(QtGui.QDesktopServices, "openUrl"):
             click(button)
-        assert window.messages.pop().startswith("the study's folder %s is gone" % study.Folder), window.messages
+        assert window.messages.pop().startswith("The study's folder %s is gone" % study.Folder), window.messages
     wait_for(lambda: "is gone" in results.note.text(), 20)
     os.makedirs(study.Folder)
     Path(study.Folder, "study.sqlite").write_text("no database", encoding="utf-8")

@@ -141,7 +141,7 @@ def check_dimensions():
     for text in ("5 : inf", "nan : 3", "1e999 : 3"):
         rows.item_of("Fillet.Radius").setText(1, text)
         shown.refresh()
-        assert shown.status.text().startswith("the range of Fillet.Radius has to be two numbers"), (text, shown.status.text())
+        assert shown.status.text().startswith("The range of Fillet.Radius has to be two numbers"), (text, shown.status.text())
     rows.item_of("Fillet.Radius").setCheckState(0, QtCore.Qt.Unchecked)
     close()
 

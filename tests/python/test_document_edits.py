@@ -327,6 +327,11 @@ class Edits(unittest.TestCase):
                 api.recompute(self.document)
             self.assertAlmostEqual(self.body.Shape.BoundBox.ZLength, 10)
             self.assertIn("FreeCAD cannot recompute Spare: ", mesh.Status)
+        self.assertRegex(english(api.update_mesh(mesh)["warnings"][0]), "^FreeCAD cannot recompute Spare: .*; the mesh is that of Body as it was before$")
+        self.body.removeObject(spare)
+        self.document.removeObject("Spare")
+        api.recompute(self.document)
+        self.assertEqual(api.update_mesh(mesh)["warnings"], [])
 
     def test_what_is_in_error_in_a_linked_document_is_said(self):
         other = FreeCAD.newDocument("Other")

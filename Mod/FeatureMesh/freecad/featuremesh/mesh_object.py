@@ -9,7 +9,8 @@ import FreeCAD
 import Fem
 
 from . import adopt, analyses, chosen_solids, contact_faces, copied_part, document_view, engine, given_mesh, groups_by_name, hand_over, history, loaded_places, log
-from . import mesh_properties, messages, mixed_elements, references, refinements, results, rigid_bodies, shell_fluxes, solve_guard, state, state_property, too_fine, versions
+from . import mesh_properties, messages, mixed_elements, recompute_errors, references, refinements, results, rigid_bodies, shell_fluxes, solve_guard, state
+from . import state_property, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .given_mesh import give
 from .job import MeshJob
@@ -46,8 +47,7 @@ class FeatureMesh(Stateless):
     _is_opened = False   # not before all of its document, or of what is pasted, is there
 
     def __init__(self, mesh):
-        self._is_opened = True
-        mesh.Proxy = self
+        self._is_opened, mesh.Proxy = True, self
         self._forget()
         self._get_ready(mesh)
 
@@ -151,7 +151,7 @@ class FeatureMesh(Stateless):
                 moved = self._follow(mesh, mesh.MeshRegionList, raw, lambda: engine.load().followed_faces(self._raw, raw))
             self.note_references(mesh, mesh.MeshRegionList, raw)
         refined = refinements.read(mesh, part, raw)
-        job = MeshJob(raw, options_of(mesh, part, raw, refined), old, problem, moved + refined.notes)
+        job = MeshJob(raw, options_of(mesh, part, raw, refined), old, problem, [*recompute_errors.remarks(part), *moved, *refined.notes])
         job.saved, job.shape, job.frame, job.settings = saved, part.Shape, versions.parent_frame(part), settings_of(mesh)
         if old is None:
             job.next_numbers = state_property.next_numbers(mesh, state_is_sound=problem is None and (

@@ -36,6 +36,12 @@ def error_of_part(part, objects):
     return first_error(part.Document, [*dependencies(part), *part.OutListRecursive], objects) if part is not None and objects else None
 
 
+def remarks(part):
+    """What is to be known of a mesh of the part as it is while FreeCAD cannot recompute it."""
+    error = error_of_part(part, in_error(part.Document))
+    return [said("{why:messages}; the mesh is that of {part:text} as it was before", why=error.message, part=describe(part))] if error is not None else []
+
+
 def watch(hook):
     """Calls the hook from now on, see on_errors."""
     global _observer

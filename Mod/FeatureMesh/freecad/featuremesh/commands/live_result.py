@@ -22,11 +22,10 @@ class Command(MeshCommand):
     def run(self, document):
         from ..gui.live_panel import LivePanel
         analysis = _chosen_analysis(document) or api.find_analysis(document)
+        statics.mesh_of(analysis)   # throws where there is none, before anything is changed
         is_new = live_result.of_analysis(analysis) is None
         with undo_step(document, self.title) if is_new else contextlib.nullcontext():
-            live = api.live_result(analysis)
-            statics.mesh_of(live.Proxy.analysis(live))   # throws where there is none
-            Gui.Control.showDialog(LivePanel(live))
+            Gui.Control.showDialog(LivePanel(api.live_result(analysis)))
         if is_new:
             recording.tell(api.live_result, analysis)
 
