@@ -7,13 +7,14 @@ import shutil
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import FreeCAD
 import numpy as np
 import ObjectsFem
 import Part
 from analyses import add_material, add_solver, quantity, solve
-from freecad.featuremesh import api, assembled, mesh_object, resolving, solve_guard, tasks, versions
+from freecad.featuremesh import api, assembled, calculix, contact_faces, mesh_object, resolving, solve_guard, tasks, versions
 from freecad.featuremesh.errors import UserError
 from freecad.featuremesh.messages import in_english
 from parts import groups_in_freecad, new_document, placement
@@ -514,6 +515,28 @@ class TiedAndInContact(InADocument):
         analysis = self.add_analysis(self.meshed(self.compound(tower(self.document)[:3])), with_joints=False)
         with self.assertRaisesRegex(UserError, "^Solid2, Solid3 can still move along x, y and z and turn about x, y and z: add a support"):
             api.solve_analysis(analysis, "ccx")
+
+    def test_a_tie_that_ties_nothing_is_refused_and_what_flies_away_is_said(self):
+        boxes = tower(self.document)[:2]
+        boxes[1].Placement.Base.z, boxes[1].Height = HEIGHT + 0.5, HEIGHT - 0.5
+        mesh = self.meshed(self.compound(boxes))
+        analysis, part = self.add_analysis(mesh, with_joints=False), versions.part_of(mesh)
+        tie = ObjectsFem.makeConstraintTie(self.document, "Tie")
+        tie.References = [(part, face_at(part.Shape, solid, HEIGHT + gap)) for solid, gap in ((1, 0.5), (0, 0))]
+        analysis.addObject(tie)
+        for tolerance, words in ((0.0, "its tolerance is 0 mm"), (0.4, "0.5 mm apart, and its tolerance is 0.4 mm"), (0.6, None)):
+            tie.Tolerance = quantity(tolerance, "mm")
+            self.document.recompute()
+            self.assertEqual(words is None, solve_guard.reason(analysis) == "")
+            self.assertIn(words or "", solve_guard.reason(analysis))
+        tie.Tolerance = quantity(0.4, "mm")
+        with mock.patch.object(contact_faces, "out_of_reach", lambda *_: None):
+            warnings = in_english(api.solve_analysis(analysis, "ccx")["warnings"])
+        self.assertRegex(warnings[0], "^the part moved by .* times its own size: it can move, since")
+        solver = calculix.solver_of(analysis)
+        self.assertEqual(in_english(calculix.has_flown(analysis, solver)), warnings[:1])   # which FEM's panel tells in the report view
+        solver.AnalysisType = "frequency"
+        self.assertEqual(calculix.has_flown(analysis, solver), [])
 
     def test_joined_parts_are_solved_without_ties(self):
         container = self.document.addObject("App::Part", "Machine")

@@ -106,12 +106,17 @@ def refuse_failure(code, words):
 def read_by_freecad(tools, analysis):
     """The result object that FreeCAD makes of CalculiX's files, of several that which came last; that of a live result is none of them. Throws UserError where
     there is none."""
-    tools.load_results()
-    of_live = [member.Result for member in analysis.Group if type_of(member) == statics_model.LIVE_RESULT]
-    result = next((member for member in reversed(analysis.Group) if member.isDerivedFrom("Fem::FemResultObject") and member not in of_live), None)
+    with solve_guard.told_in_a_report():
+        tools.load_results()
+    result = _last_result(analysis)
     if result is None:
         raise UserError(said("CalculiX gave no result for {analysis:text}", analysis=describe(analysis)))
     return result
+
+
+def _last_result(analysis):
+    of_live = [member.Result for member in analysis.Group if type_of(member) == statics_model.LIVE_RESULT]
+    return next((member for member in reversed(analysis.Group) if member.isDerivedFrom("Fem::FemResultObject") and member not in of_live), None)
 
 
 def refuse_free_motions(known):
@@ -183,10 +188,21 @@ def _doubts(analysis, moved):
     arrays = _arrays(analysis)
     if arrays is None:
         return []
+    return _flown(arrays, moved) + (statics.remarks(arrays) if len(arrays["tets"]) else [])
+
+
+def has_flown(analysis, solver):
+    """That the part moved in FreeCAD's results of a solution of CalculiX as none does that is held."""
+    arrays, result = _arrays(analysis), _last_result(analysis)
+    if arrays is None or result is None or solver.AnalysisType in modes.TABLES:
+        return []
+    return _flown(arrays, max((vector.Length for vector in result.DisplacementVectors), default=None))
+
+
+def _flown(arrays, moved):
     size = np.ptp(arrays["points"], axis=0).max()
-    doubts = [] if moved is None or moved <= _FLOWN * size else [
-        said("the part moved by {times:number} times its own size: its supports do not hold all of it, or a unit is wrong", times=moved / size)]
-    return doubts + (statics.remarks(arrays) if len(arrays["tets"]) else [])
+    return [] if moved is None or moved <= _FLOWN * size else [
+        said("the part moved by {times:number} times its own size: it can move, since its supports and ties do not hold all of it, or a unit is wrong", times=moved / size)]
 
 
 def _doubts_of_reactions(solver, unbalanced):

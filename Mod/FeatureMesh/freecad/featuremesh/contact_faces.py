@@ -6,7 +6,11 @@ be both parts. The mesh knows better: a part's nodes are its own, and the mesh h
 elements whose corners on the face are in that group. This wraps the functions that FreeCAD's writer of CalculiX input asks.
 """
 
+import itertools
+
 from . import analyses, versions
+from .messages import said
+from .proxies import type_of
 from .resolving import plain_pairs_of
 from .wrapping import wrap
 
@@ -14,6 +18,8 @@ _MODULE = "femmesh.meshtools"
 _FUNCTIONS = ("get_contact_obj_faces", "get_tie_obj_faces")   # 0.20 and 1.0
 _FUNCTION_OF_ONE = "get_ccx_subelements_by_references"         # 1.1: one reference at a time, those of pressures, too
 _CORNERS = 3
+_TIE, _PLANE = "Fem::ConstraintTie", "Part::GeomPlane"
+_SHARE = 0.1   # of the size of the elements: as far as CalculiX at most ties without a tolerance, and as far as the elements of a curved face may be off it
 
 
 def install():
@@ -32,6 +38,21 @@ def of_face(fem_mesh, name, elements):
         return elements
     nodes = set(fem_mesh.getGroupElements(group))
     return [pair for pair in elements if len(nodes.intersection(fem_mesh.getElementNodes(pair[0]))) >= _CORNERS]
+
+
+def out_of_reach(members, resolver, size):
+    """That a tie ties nothing, since its faces are farther apart than its tolerance, as a message; None where there is none. `size` (mm) is that of the elements."""
+    for tie in members:
+        if type_of(tie) != _TIE or getattr(tie, "CyclicSymmetry", False):   # the sectors of which are apart
+            continue
+        *dependent, to = [resolver.names(*pair) or [] for pair in plain_pairs_of(tie)] or [[]]
+        faces = [[(name, resolver.part.Shape.getElement(name)) for name in names] for names in (itertools.chain(*dependent), to)]
+        gap, name, other = min(((one.distToShape(other)[0], name, of_other) for (name, one), (of_other, other) in itertools.product(*faces)), default=(0, "", ""))
+        is_curved = any(face.Surface.TypeId != _PLANE for _, face in itertools.chain(*faces))
+        if gap > (tie.Tolerance.Value or _SHARE * size) + is_curved * _SHARE * size:
+            return said("{tie:text} ties nothing: {faces:entities} are {gap:length} apart, and its tolerance is {tolerance:length}. Give it a tolerance that is larger "
+                        "than the gap", tie=tie.Label, faces=[name, other], gap=gap, tolerance=tie.Tolerance.Value)
+    return None
 
 
 def _own(fem_mesh, member, pairs, elements):

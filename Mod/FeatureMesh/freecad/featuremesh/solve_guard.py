@@ -11,7 +11,7 @@ import threading
 
 import FreeCAD
 
-from . import analyses, formats, history, materials, references, resolving, results, versions
+from . import analyses, contact_faces, formats, history, materials, references, resolving, results, versions
 from .errors import UserError
 from .hand_over import EntityGroups, is_material
 from .mesh_properties import is_of_its_part
@@ -56,7 +56,7 @@ def _why_not_on(mesh, analysis):
     resolver, entities = resolving.Resolver(versions.part_of(mesh)), EntityGroups(arrays)
     return mesh.Proxy.clicked_elsewhere(mesh, members) or _without_elements(members, resolver, entities) \
         or _material_in_doubt(members, resolver, entities) or _without_section(members, resolver, entities, formats.filling_of(arrays)[0]) \
-        or _without_trace(members, resolver)
+        or _without_trace(members, resolver) or in_words(contact_faces.out_of_reach(members, resolver, mesh.Size.Value))
 
 
 def _lost(analysis):
@@ -210,12 +210,22 @@ def _of_writer(original, writer):
     return path
 
 
+def _of_results(original, tools):
+    """FreeCAD shows a part that has flown away as any other."""
+    original(tools)
+    if not _is_in_report:
+        from . import calculix
+        for remark in calculix.has_flown(tools.analysis, tools.solver):
+            FreeCAD.Console.PrintWarning("%s: %s\n" % (describe(tools.analysis), in_words(remark)))
+
+
 _GUARDED = (
     ("femsolver.run", None, "run_fem_solver", _of_run),
     ("femtools.checksanalysis", None, "check_member_for_solver_calculix", _of_check),
     ("femsolver.run", "Check", "check_mesh_exists", _of_task),
     ("femsolver.calculix.calculixtools", "CalculiXTools", "prepare", _of_tools),
     ("femsolver.calculix.writer", "FemInputWriterCcx", "write_solver_input", _of_writer),
+    ("femtools.ccxtools", "FemToolsCcx", "load_results", _of_results),
     ("femsolver.elmer.elmertools", "ElmerTools", "prepare", _of_tools),
     ("femsolver.z88.z88tools", "Z88Tools", "prepare", _of_tools),
 ) + ((("femtaskpanels.task_solver_ccxtools", "_TaskPanel", "runCalculix", _of_panel),) if FreeCAD.GuiUp else ())

@@ -23,7 +23,7 @@ def solve(analysis):
     solve_guard.refuse(analysis)
     with calculix.solved(analysis) as run:
         result = calculix.read_by_freecad(run.tools, analysis)
-    for remark in run.remarks:
+    for remark in run.remarks + calculix.has_flown(analysis, run.solver):
         FreeCAD.Console.PrintMessage("%s: %s\n" % (reading.describe(analysis), in_words(remark)))
     return Solution(result, figures_of(result))
 

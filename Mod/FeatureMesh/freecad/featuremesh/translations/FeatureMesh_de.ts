@@ -1437,8 +1437,8 @@
       <translation>das Bauteil hat kein {place:text}, wo nach einer Zielgröße gefragt ist</translation>
     </message>
     <message>
-      <source>the part moved by {times:number} times its own size: its supports do not hold all of it, or a unit is wrong</source>
-      <translation>das Teil hat sich um das {times:number}-fache seiner Größe bewegt: seine Lager halten nicht alles davon, oder eine Einheit ist falsch</translation>
+      <source>the part moved by {times:number} times its own size: it can move, since its supports and ties do not hold all of it, or a unit is wrong</source>
+      <translation>das Bauteil hat sich um das {times:number}fache seiner Größe bewegt: es kann sich bewegen, weil seine Lager und Verbindungen nicht alles halten, oder eine Einheit ist falsch</translation>
     </message>
     <message>
       <source>the point {point:point}, where a response is asked for, is not in the part</source>
@@ -2207,6 +2207,10 @@
     <message>
       <source>{these:messages} and {more:count} more</source>
       <translation>{these:messages} und {more:count} weitere</translation>
+    </message>
+    <message>
+      <source>{tie:text} ties nothing: {faces:entities} are {gap:length} apart, and its tolerance is {tolerance:length}. Give it a tolerance that is larger than the gap</source>
+      <translation>{tie:text} verbindet nichts: {faces:entities} sind {gap:length} voneinander entfernt, und die Toleranz ist {tolerance:length}. Geben Sie eine Toleranz an, die größer als der Spalt ist</translation>
     </message>
     <message>
       <source>{triangles:count} {triangles:boundary triangle lies|boundary triangles lie} on no face</source>
@@ -4415,6 +4419,10 @@
     <message>
       <source>{where:text}: {key:text} is {kind:messages}, not {value:text}</source>
       <translation>{where:text}: {key:text} ist {kind:messages}, nicht {value:text}</translation>
+    </message>
+    <message>
+      <source>{why:messages}; the mesh is that of {part:text} as it was before</source>
+      <translation>{why:messages}; das Netz ist das von {part:text}, wie es davor war</translation>
     </message>
   </context>
   <context>
