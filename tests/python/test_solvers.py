@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """An analysis with several solver objects: which is taken, that it is said, and when nobody can know."""
 import shutil
+import tempfile
 import unittest
 from types import SimpleNamespace
 from unittest import mock
@@ -104,6 +105,16 @@ class NoNumbers(Case):
             return blocks
         with mock.patch.object(frd, "read", side_effect=without_a_number), self.assertRaisesRegex(UserError, "^CalculiX gave what is no number for Analysis: look at"):
             api.solve_analysis(analysis, "ccx")
+
+
+class LongExponents(unittest.TestCase):
+    def test_a_value_below_1e_99_is_read(self):
+        lines = "\n    2C\n -1         1 1.00000E+00-2.50000-100 0.00000E+00\n -1         2 1.00000+101 3.00000E-05-4.00000E+00\n -3\n    3C\n -3\n"
+        with tempfile.NamedTemporaryFile() as file:
+            file.write(lines.encode())
+            file.flush()
+            numbers, points, _ = frd.read_mesh(file.name)
+        self.assertEqual((numbers.tolist(), points.tolist()), ([1, 2], [[1.0, -2.5e-100, 0.0], [1e101, 3e-5, -4.0]]))
 
 
 class HeatAlone(unittest.TestCase):

@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Nodal values of a result file of CalculiX (.frd, the ASCII form), as arrays. Needs neither FreeCAD nor the engine."""
 
+import re
+
 import numpy as np
 
 _NUMBER = slice(3, 13)   # columns of a line
 _FIRST, _WIDTH = 13, 12
+_LONG_EXPONENT = re.compile(rb"(\d)([+-]\d{3})$")   # for which Fortran leaves the E out
 
 
 def read(path, names):
@@ -40,4 +43,11 @@ def _block(data, start, count):
     length = data.index(b"\n", first) + 1 - first
     lines = np.frombuffer(data, dtype=np.uint8, count=end - first, offset=first).reshape(-1, length)
     values = np.ascontiguousarray(lines[:, _FIRST:_FIRST + _WIDTH * count]).view("S%d" % _WIDTH)
-    return np.ascontiguousarray(lines[:, _NUMBER]).view("S10").ravel().astype(np.int64), values.astype(float)
+    return np.ascontiguousarray(lines[:, _NUMBER]).view("S10").ravel().astype(np.int64), _as_numbers(values)
+
+
+def _as_numbers(texts):
+    try:
+        return texts.astype(float)
+    except ValueError:
+        return np.array([_LONG_EXPONENT.sub(rb"\1e\2", text) for text in texts.ravel().tolist()]).reshape(texts.shape).astype(float)

@@ -10,7 +10,7 @@ import itertools
 import FreeCAD
 import Part
 
-from . import analyses, assembled, disk_room, document_view, hand_over, recompute_errors, references, results, size_zone, versions
+from . import analyses, assembled, disk_room, document_view, hand_over, recompute_errors, references, results, size_zone, statics, versions
 from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, UP_TO_DATE, is_of_its_part
 from .reading import dependencies, has_shape
 
@@ -157,6 +157,7 @@ class _Observer:
         _left_touched.pop(document.Name, None)
         _untouched.pop(document.Name, None)
         results.forget(document)
+        statics.forget(document)
 
     def slotBeforeChangeObject(self, obj, name):
         if name == "Shape" and obj.isDerivedFrom("Part::Feature"):

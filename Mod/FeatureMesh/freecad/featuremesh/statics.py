@@ -24,6 +24,7 @@ _TOO_STIFF_BY = QT_TRANSLATE_NOOP("FeatureMesh", "4-node tetrahedra are too stif
 _CAN_MOVE = QT_TRANSLATE_NOOP("FeatureMesh", "the part can still {how:messages}: add a support")
 _PIECES_CAN_MOVE = QT_TRANSLATE_NOOP("FeatureMesh", "{solids:entities} can still {how:messages}: add a support. "
                                      "What shares no faces with the rest of the part needs one of its own")
+_kept = {}   # name of a document -> the names under which the engine keeps solutions of its analyses for scripts
 
 
 def mesh_of(analysis):
@@ -47,13 +48,21 @@ def solve(analysis, keep="", threads=0, progress=None, start=None):
     """Solves the analysis. Returns (fields, report).
 
     `fields` has a row per node of the mesh's arrays: displacements (n,3) mm, stresses (n,6) MPa (xx, yy, zz, xy, yz, zx), von_mises (n,)
-    MPa, reactions (n,3) N. The report is what --json writes. What is kept under the name `keep` makes the next solution of that name faster; the
-    first starts from `start`, as statics_result.last_displacements gives it.
+    MPa, reactions (n,3) N. The report is what --json writes. What is kept under the name `keep`, until the document is closed, makes the next solution of that
+    name faster; the first starts from `start`, as statics_result.last_displacements gives it.
     Throws NotUnderstood for what only CalculiX can, UserError for what cannot be solved at all.
     """
     job = SolveJob(analysis, keep, threads, start=start)
+    if keep:
+        _kept.setdefault(analysis.Document.Name, set()).add(keep)
     job.run(progress)
     return job.fields, job.report
+
+
+def forget(document):
+    """To be called when a document was closed."""
+    for name in _kept.pop(document.Name, ()):
+        engine.load().forget_statics(name)
 
 
 class CanMove(UserError):
