@@ -100,12 +100,25 @@ def check_by_hand(document):
     click_in_panel("Apply")
     wait_for(lambda: settings.running is None)
     assert "failed" in settings.status.text(), settings.status.text()
+    check_theme(settings)
     settings.size.setProperty("rawValue", 3.0)
     click_in_panel("Ok")
     wait_for(lambda: not Gui.Control.activeDialog())
     mesh = document.getObject("FeatureMesh002")
     assert (mesh.Status, mesh.Automatic, mesh.TetCount > 0) == ("up to date", False, True), (mesh.Status, mesh.Automatic, mesh.TetCount)
     preferences.put("Automatic", True)
+
+
+def check_theme(settings):
+    """In a dark theme, whose texts are bright, so is the red of a failure."""
+    application = QtGui.QApplication.instance()
+    before, seen = application.styleSheet(), []
+    for sheet in ("QLabel {color: #f0f0f0}", "QLabel {color: #101010}"):
+        application.setStyleSheet(sheet)
+        settings._show_status()
+        seen.append(settings.status.palette().color(QtGui.QPalette.WindowText).lightness())
+    application.setStyleSheet(before)
+    assert seen[0] > seen[1] + 50, seen
 
 
 def check_what_has_no_part(document, body, mesh):

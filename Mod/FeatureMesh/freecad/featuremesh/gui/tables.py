@@ -8,7 +8,7 @@ from PySide import QtCore, QtGui
 from .. import tables
 from ..user_words import as_shown, in_users_units, in_words
 from ..view_provider import drawn_icon
-from . import narrow
+from . import narrow, readable
 from .showing import restore, show_part
 
 translate = FreeCAD.Qt.translate
@@ -25,7 +25,7 @@ def show_tree(part, found):
     header = [*header[:4], translate("FeatureMesh", "volume"), *header[5:]]   # in the user's units
     window = _Window("%s: %s" % (translate("FeatureMesh", "Feature tree"), part.Label), header, tables.tree_note(found), part)
     for row in rows:
-        window.tree.addTopLevelItem(_item((*row[:4], _volume(row[4]), *row[5:])))
+        window.tree.addTopLevelItem(window.item((*row[:4], _volume(row[4]), *row[5:])))
     return window.shown()
 
 
@@ -37,9 +37,9 @@ def show_difference(part, found):
     window = _Window(title, header, tables.difference_note(found), part)
     for row, feature in zip(rows, found["features"]):
         row = (*row[:2], in_words(feature["detail"]), _volume(row[3]), *row[4:])
-        item = _item(row, tables.face_names(feature["new_faces"]), feature["verdict"])
+        item = window.item(row, tables.face_names(feature["new_faces"]), feature["verdict"])
         for change in _faces_of(feature, found["faces"]):
-            item.addChild(_face_item(change))
+            item.addChild(_face_item(window, change))
         window.tree.addTopLevelItem(item)
         if feature["verdict"] != "same" and window.first_changed is None:
             window.first_changed = item
@@ -79,6 +79,21 @@ class _Window(QtGui.QDialog):
         self.show()
         return self
 
+    def item(self, cells, faces=(), verdict=None):
+        """A row that selects these faces."""
+        item = QtGui.QTreeWidgetItem([str(cell) for cell in cells])
+        item.setData(0, QtCore.Qt.UserRole, list(faces))
+        for column, cell in enumerate(cells):
+            if len(str(cell)) > 40:
+                item.setToolTip(column, str(cell))
+        if verdict:
+            item.setText(1, tables.verdict_in_words(verdict))
+            if verdict in _ICONS:
+                item.setIcon(0, drawn_icon("FeatureMesh_Verdict" + _ICONS[verdict]))
+            if verdict in _COLOURS:
+                item.setForeground(1, QtGui.QBrush(readable.colour_on(self.tree, _COLOURS[verdict])))
+        return item
+
     # FreeCAD's document observer
 
     def slotDeletedObject(self, obj):
@@ -107,27 +122,12 @@ def _volume(cell):
     return as_shown(in_users_units(cell + " mm^3")) if cell else ""
 
 
-def _item(cells, faces=(), verdict=None):
-    item = QtGui.QTreeWidgetItem([str(cell) for cell in cells])
-    item.setData(0, QtCore.Qt.UserRole, list(faces))
-    for column, cell in enumerate(cells):
-        if len(str(cell)) > 40:
-            item.setToolTip(column, str(cell))
-    if verdict:
-        item.setText(1, tables.verdict_in_words(verdict))
-        if verdict in _ICONS:
-            item.setIcon(0, drawn_icon("FeatureMesh_Verdict" + _ICONS[verdict]))
-        if verdict in _COLOURS:
-            item.setForeground(1, QtGui.QBrush(QtGui.QColor(_COLOURS[verdict])))
-    return item
-
-
-def _face_item(change):
+def _face_item(window, change):
     old, new = change["old_face"] or "", change["new_face"] or ""
     name = old if old == new or not new else new if not old else "%s → %s" % (old, new)
     areas = " → ".join("%.6g" % area for area in (change["old_area"], change["new_area"]) if area is not None)
     detail = "" if change["verdict"] == "kept" else as_shown(in_users_units(translate("FeatureMesh", "area %s mm^2") % areas))
-    item = _item((name, "", detail, "", old, new), [new] if new else (), change["verdict"])
+    item = window.item((name, "", detail, "", old, new), [new] if new else (), change["verdict"])
     item.setText(1, tables.verdict_in_words(change["verdict"], change.get("inner", False)))
     return item
 

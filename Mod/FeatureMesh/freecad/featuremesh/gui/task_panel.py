@@ -15,7 +15,7 @@ from ..refusals import part_to_mesh
 from ..reports import remarks_of
 from ..mesh_properties import AUTOMATIC_SHARE, DIMENSIONS, FAILED, NOT_MESHED, SETTINGS_CHANGED, UP_TO_DATE, differ_from_mesh, settings_of, status_in_words
 from ..messages import of_error, said
-from . import driven, enough_memory, freecad_widget, narrow, recording, wheel
+from . import driven, enough_memory, freecad_widget, narrow, readable, recording, wheel
 from .errors import select_named
 from ..user_words import as_sentence, as_shown, in_words
 from .running import RunningJob, step_in_words
@@ -26,6 +26,7 @@ translate = FreeCAD.Qt.translate
 _POLL_MS, _ESTIMATE_MS = 50, 400
 _REMARKS = 3   # shown in the panel
 _AUTOMATIC, _A_LENGTH, _OFF = range(3)   # rows of what details are ignored
+_RED = "#c62828"
 _IGNORED_SHARE = 0.01   # of Size, where a length is asked for first
 
 
@@ -476,7 +477,7 @@ class MeshPanel:
             status, is_failed = SETTINGS_CHANGED, False
         line = "%s: %s" % (translate("FeatureMesh", "Status"), status_in_words(self.mesh, status))
         self.status.setText(line)
-        self.status.setStyleSheet("color: #c62828" if is_failed else "")
+        self.status.setStyleSheet("color: %s" % readable.colour_on(self.estimate, _RED).name() if is_failed else "")
 
     # Estimate
 
