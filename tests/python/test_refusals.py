@@ -67,6 +67,12 @@ class Parts(unittest.TestCase):
                 study_object.start(study)
             self.assertEqual((os.listdir(folder), study.Folder), (["part.FCStd"], ""))
 
+    def test_a_study_of_what_has_no_shape(self):
+        study = api.add_study(self.box())
+        study.Parameters, study.Responses, study.Part = ["Box.Height=5:7"], ["mass"], self.document.addObject("App::FeaturePython", "Point")
+        with self.assertRaisesRegex(UserError, "^Point has no shape"):
+            study_object.start(study)
+
     def test_the_range_of_an_angle_is_one_that_freecad_takes(self):
         cylinder = self.document.addObject("Part::Cylinder", "Cylinder")
         for angle, wanted in ((360, (324, 360)), (340, (306, 360)), (90, (81, 99))):

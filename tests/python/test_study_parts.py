@@ -129,7 +129,7 @@ class Words(unittest.TestCase):
 
     def test_expressions_know_names_with_dots_and_nothing_of_python(self):
         self.assertEqual(Expression("HoleSketch.X > 2 * sqrt(radius)", "it").value({"HoleSketch.X": 5.0, "radius": 4.0}), True)
-        for text, message in (("__import__('os')", "cannot be evaluated"), ("a +", "cannot be read"), ("b", "it may use a")):
+        for text, message in (("__import__('os')", "cannot be evaluated"), ("a +", "cannot be read"), ("b", "it may use a"), ("().__class__", "cannot be read: __class__")):
             with self.subTest(text=text), self.assertRaisesRegex(UserError, message):
                 Expression(text, "it").value({"a": 1})
 

@@ -24,6 +24,9 @@ class Expression:
         except (SyntaxError, TypeError, ValueError) as error:
             raise UserError(said("{what:messages} {text:text} cannot be read: {why:text}",
                                  what=what, text=text, why=str(getattr(error, "msg", error)))) from error
+        inner = [node.attr for node in ast.walk(ast.parse(text.strip(), mode="eval")) if isinstance(node, ast.Attribute) and node.attr.startswith("__")]
+        if inner:   # by which it would come to all of Python, from a study in somebody's document, too
+            raise UserError(said("{what:messages} {text:text} cannot be read: {why:text}", what=what, text=text, why=inner[0]))
 
     def refuse_unknown(self, names):
         """Throws UserError where it uses what is none of these names and no function of ours."""

@@ -11,7 +11,7 @@ from .. import api, documents, edits, engine, preferences, resolving, solvers, s
 from ..errors import UserError
 from ..messages import said
 from ..proxies import Stateless, add_missing
-from ..reading import describe
+from ..reading import describe, refuse_unmeshable
 from . import dimensions, places, study_file, window_run
 from .design import COUNTED, SAMPLINGS, Study, check, parse_parameter, read_toml
 from .folder import is_same_study
@@ -140,6 +140,7 @@ def study_of(obj, document_path):
     """The design.Study that the object asks for, of the document in that file. Throws UserError."""
     if obj.Part is None:
         raise UserError(said("{study:text} has no part", study=describe(obj)))
+    refuse_unmeshable(obj.Part)
     if not obj.Parameters:
         raise UserError(said("nothing is varied: tick a dimension and give it a range"))
     if not obj.Responses:
