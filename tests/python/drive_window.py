@@ -126,8 +126,10 @@ def check_preferences(api, engine, document, body):
     mesh = api.meshes_of(document)[-1]
     assert (mesh.Size.Value, mesh.Order, mesh.Automatic, mesh.Threads) == (api.default_size(body, 10), "2nd", False, 1)
     click_in_panel("Cancel")
-    FreeCAD.ParamGet(preferences.GROUP).Clear()
-    PreferencesPage().loadSettings()
+    page = PreferencesPage()
+    page.resetSettingsToDefaults()   # by Reset below the pages, since FreeCAD 1.0
+    assert (page.elements.value(), page.threads.value(), page.automatic.isChecked(), engine.runs_in_worker()) == (30, 0, True, True)
+    assert overlays.kept_legend()[1] == preferences.colour("NewColour") != (0.0, 1.0, 0.0)
     assert mesh not in document.Objects
     Gui.Selection.clearSelection()
 

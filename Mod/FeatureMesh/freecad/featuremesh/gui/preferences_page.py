@@ -19,7 +19,7 @@ def choose_place():
 
 
 class PreferencesPage:
-    """FreeCAD makes one when its preferences are opened, and calls loadSettings and saveSettings."""
+    """FreeCAD makes one when its preferences are opened, and calls loadSettings, saveSettings and resetSettingsToDefaults."""
 
     def __init__(self, parent=None):
         self.form = QtGui.QWidget()
@@ -48,6 +48,12 @@ class PreferencesPage:
         for name, button in self.colours.items():
             preferences.put_colour(name, button.property("color").getRgbF()[:3])
         choose_place()
+
+    def resetSettingsToDefaults(self):
+        """Called since FreeCAD 1.0 by Reset below the pages."""
+        preferences.reset()
+        choose_place()
+        self.loadSettings()
 
     def _new_meshes(self):
         group = QtGui.QGroupBox(translate("FeatureMesh", "New meshes"))
