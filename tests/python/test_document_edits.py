@@ -332,6 +332,10 @@ class Edits(unittest.TestCase):
         self.document.removeObject("Spare")
         api.recompute(self.document)
         self.assertEqual(api.update_mesh(mesh)["warnings"], [])
+        self.plate.Length = 0
+        self.document.recompute()
+        lines = [line for line in map(english, api.update_mesh(mesh)["warnings"]) if "Plate" in line]
+        self.assertEqual((len(lines), lines[0].split(": ")[0]), (1, "FreeCAD cannot recompute Plate"))   # and not by the engine once more
 
     def test_what_is_in_error_in_a_linked_document_is_said(self):
         other = FreeCAD.newDocument("Other")

@@ -7,7 +7,7 @@ import numpy as np
 
 from . import engine, log, thin_elements
 from .messages import english, of_error, with_owners
-from .reports import with_details_in_one
+from .reports import with_details_in_one, without_errors_told
 from .worker import WorkerDied
 
 _ELEMENTS = "tets", "tet_mids", "triangles", "triangle_mids", "segments"
@@ -40,6 +40,7 @@ class MeshJob:
             self._restore(progress)
         start = time.perf_counter()
         self.part_mesh, self.report = run_engine(self._mesh, self.raw, self.options, progress)
+        self.report["warnings"] = without_errors_told(self.report["warnings"], self.remarks)
         self.seconds["engine"] = time.perf_counter() - start
         log.write("%s %s in %.1f s", "meshed" if self.old is None else "updated", self.raw["final_object"], self.seconds["engine"])
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The report of a mesh or an update, as JSON and the user take it."""
 
-from .messages import is_message, said, several
+from .messages import english, is_message, said, several
 
 _OF_DETAILS = {"vertices_nearer_than": "vertices", "edges_too_short": "edges", "faces_too_narrow": "faces"}   # the engine's warnings and what they name
 
@@ -37,6 +37,12 @@ def with_details_in_one(warnings):
                 below=about["vertices_nearer_than"]["parameters"]["distance"], places=places)
     first = warnings.index(next(iter(about.values())))
     return [*warnings[:first], line, *(other for other in warnings[first:] if other["code"] not in about)]
+
+
+def without_errors_told(warnings, remarks):
+    """The engine's warnings but for the features in error of which one of the remarks tells what FreeCAD says of them."""
+    told = list(map(english, remarks))
+    return [line for line in warnings if line.get("code") != "feature_in_error" or not any(line["parameters"]["error"] in remark for remark in told)]
 
 
 def plain(value):
