@@ -126,10 +126,16 @@ def check_preferences(api, engine, document, body):
     mesh = api.meshes_of(document)[-1]
     assert (mesh.Size.Value, mesh.Order, mesh.Automatic, mesh.Threads) == (api.default_size(body, 10), "2nd", False, 1)
     click_in_panel("Cancel")
-    page = PreferencesPage()
-    page.resetSettingsToDefaults()   # by Reset below the pages, since FreeCAD 1.0
-    assert (page.elements.value(), page.threads.value(), page.automatic.isChecked(), engine.runs_in_worker()) == (30, 0, True, True)
+    fields = [field for field in page.form.findChildren(QtGui.QWidget) if field.property("prefEntry")]   # which FreeCAD's Reset looks for
+    for field in fields:
+        group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/" + field.property("prefPath"))
+        for kind, name, _ in group.GetContents():
+            if name == field.property("prefEntry"):
+                {"Boolean": group.RemBool, "Integer": group.RemInt, "Unsigned Long": group.RemUnsigned}[kind](name)
+    page.loadSettings()
+    assert (page.elements.value(), page.threads.value(), page.automatic.isChecked(), page.in_worker.isChecked()) == (30, 0, True, True)
     assert overlays.kept_legend()[1] == preferences.colour("NewColour") != (0.0, 1.0, 0.0)
+    FreeCAD.ParamGet(preferences.GROUP).Clear()
     assert mesh not in document.Objects
     Gui.Selection.clearSelection()
 

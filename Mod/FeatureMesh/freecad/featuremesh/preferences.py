@@ -51,14 +51,6 @@ def put_colour(name, rgb):
     FreeCAD.ParamGet(GROUP).SetUnsigned(name, red << 24 | green << 16 | blue << 8 | 255)
 
 
-def reset():
-    """All that is chosen on the page of the preferences is as at first."""
-    for name in DEFAULTS.keys() - {"WelcomeSeen"}:
-        put(name, DEFAULTS[name])
-    for name, packed in COLOURS.items():
-        FreeCAD.ParamGet(GROUP).SetUnsigned(name, packed)
-
-
 def for_new_mesh(in_place_of=None):
     """The settings of a new mesh as arguments of api.add_mesh; one `in_place_of` another maker's has the order of that."""
     order = {"order": 2 if get("SecondOrder") else 1} if in_place_of is None else {"in_place_of": in_place_of}

@@ -19,7 +19,7 @@ def choose_place():
 
 
 class PreferencesPage:
-    """FreeCAD makes one when its preferences are opened, and calls loadSettings, saveSettings and resetSettingsToDefaults."""
+    """FreeCAD makes one when its preferences are opened, and calls loadSettings and saveSettings. What its Reset is to forget it reads from the fields."""
 
     def __init__(self, parent=None):
         self.form = QtGui.QWidget()
@@ -29,6 +29,10 @@ class PreferencesPage:
         layout.addWidget(self._engine())
         layout.addWidget(self._colours())
         layout.addStretch()
+        for name, field in {"ElementsAlongDiagonal": self.elements, "SecondOrder": self.order, "Automatic": self.automatic, "Threads": self.threads,
+                            "InWorker": self.in_worker, **self.colours}.items():
+            field.setProperty("prefPath", preferences.GROUP.partition("Preferences/")[2])
+            field.setProperty("prefEntry", name)
 
     def loadSettings(self):
         self.elements.setValue(preferences.get("ElementsAlongDiagonal"))
@@ -48,12 +52,6 @@ class PreferencesPage:
         for name, button in self.colours.items():
             preferences.put_colour(name, button.property("color").getRgbF()[:3])
         choose_place()
-
-    def resetSettingsToDefaults(self):
-        """Called since FreeCAD 1.0 by Reset below the pages."""
-        preferences.reset()
-        choose_place()
-        self.loadSettings()
 
     def _new_meshes(self):
         group = QtGui.QGroupBox(translate("FeatureMesh", "New meshes"))
