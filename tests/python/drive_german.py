@@ -57,18 +57,18 @@ def check_errors(document, body, mesh, study):
     from freecad.featuremesh import about, api, documents, edits, transfer
     from freecad.featuremesh.study import design, study_object
     from freecad.featuremesh.user_words import in_words
-    check_error("document", "die Datei /nirgends/x.FCStd gibt es nicht", documents.open_document, "/nirgends/x.FCStd")
+    check_error("document", "Die Datei /nirgends/x.FCStd gibt es nicht", documents.open_document, "/nirgends/x.FCStd")
     check_error("folder", "/nirgends/x.FCStd kann nicht geschrieben werden: den Ordner /nirgends gibt es nicht", documents.save_document, document,
                 "/nirgends/x.FCStd")
-    check_error("edit", "die Änderung „Plate“ ist nicht lesbar, sie muss OBJEKT.EIGENSCHAFT=WERT sein", edits.set_parameter, document, "Plate")
+    check_error("edit", "Die Änderung „Plate“ ist nicht lesbar, sie muss OBJEKT.EIGENSCHAFT=WERT sein", edits.set_parameter, document, "Plate")
     check_error("value", "lang ist keine Zahl für Plate.Length", edits.set_parameter, document, "Plate.Length=lang")
     check_error("property", "Plate hat keine Eigenschaft Lenght; war Length oder Length2 gemeint?", edits.set_parameter, document, "Plate.Lenght=3")
-    check_error("object", "das Dokument hat kein Objekt Plat; war Plate", edits.set_parameter, document, "Plat.Length=3")
-    check_error("transfer", "das Dokument Deutsch hat kein Ergebnis Nirgends mit Werten an den Knoten", transfer.find_result,
+    check_error("object", "Das Dokument hat kein Objekt Plat; war Plate", edits.set_parameter, document, "Plat.Length=3")
+    check_error("transfer", "Das Dokument Deutsch hat kein Ergebnis Nirgends mit Werten an den Knoten", transfer.find_result,
                 document, "Nirgends")
-    check_error("size", "die Größe muss größer als 0 mm sein, nicht -1", api.add_mesh, body, -1.0)
-    check_error("study", "nichts ändert sich: ein Maß anhaken und ihm einen Bereich geben", study_object.study_of, study, "")
-    check_error("range", "der Bereich von Plate.Length muss ansteigen, nicht 9:5; das untere Ende zuerst schreiben", design.check, design.Study(
+    check_error("size", "Die Größe muss größer als 0 mm sein, nicht -1", api.add_mesh, body, -1.0)
+    check_error("study", "Nichts ändert sich: ein Maß anhaken und ihm einen Bereich geben", study_object.study_of, study, "")
+    check_error("range", "Der Bereich von Plate.Length muss ansteigen, nicht 9:5; das untere Ende zuerst schreiben", design.check, design.Study(
         "", [design.parse_parameter("Plate.Length=9:5")], [], cases=3))
     assert "in einem eigenen Prozess" in about.text(in_words) and "in a process of its own" in about.text(), about.text(in_words)
 

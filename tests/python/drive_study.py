@@ -325,7 +325,7 @@ def check_folder(study):
     before = study.Folder
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "study.sqlite").write_text("no database", encoding="utf-8")
-        for place, is_there, status in (("/gone/" + os.path.basename(before), True, "16 of 16 cases done"), ("/gone/study", False, "the study's folder /gone/study is gone"),
+        for place, is_there, status in (("/gone/" + os.path.basename(before), True, "16 of 16 cases done"), ("/gone/study", False, "The study's folder /gone/study is gone"),
                                         (folder, False, "is no study's database")):
             study.Folder = place
             study.ViewObject.doubleClicked()

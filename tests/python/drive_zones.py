@@ -185,7 +185,7 @@ def check_distance(document, body, mesh):
     assert orange_pixels() > 300, orange_pixels()
     Gui.Selection.clearSelection()
     click(settings.choose)   # nothing is selected
-    assert "select faces" in window.messages[-1] and settings.references.text() == "Face%d" % hole, window.messages
+    assert "Select faces" in window.messages[-1] and settings.references.text() == "Face%d" % hole, window.messages
     for number in range(1, 13):
         Gui.Selection.addSelection(body, "Edge%d" % number)
     click(settings.choose)
