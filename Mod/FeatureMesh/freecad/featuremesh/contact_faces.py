@@ -18,7 +18,7 @@ _MODULE = "femmesh.meshtools"
 _FUNCTIONS = ("get_contact_obj_faces", "get_tie_obj_faces")   # 0.20 and 1.0
 _FUNCTION_OF_ONE = "get_ccx_subelements_by_references"         # 1.1: one reference at a time, those of pressures, too
 _CORNERS = 3
-_TIE, _PLANE = "Fem::ConstraintTie", "Part::GeomPlane"
+_TIE = "Fem::ConstraintTie"
 _SHARE = 0.1   # of the size of the elements: as far as CalculiX at most ties without a tolerance, and as far as the elements of a curved face may be off it
 
 
@@ -48,7 +48,7 @@ def out_of_reach(members, resolver, size):
         *dependent, to = [resolver.names(*pair) or [] for pair in plain_pairs_of(tie)] or [[]]
         faces = [[(name, resolver.part.Shape.getElement(name)) for name in names] for names in (itertools.chain(*dependent), to)]
         gap, name, other = min(((one.distToShape(other)[0], name, of_other) for (name, one), (of_other, other) in itertools.product(*faces)), default=(0, "", ""))
-        is_curved = any(face.Surface.TypeId != _PLANE for _, face in itertools.chain(*faces))
+        is_curved = any(face.findPlane() is None for _, face in itertools.chain(*faces))
         if gap > (tie.Tolerance.Value or _SHARE * size) + is_curved * _SHARE * size:
             return said("{tie:text} ties nothing: {faces:entities} are {gap:length} apart, and its tolerance is {tolerance:length}. Give it a tolerance that is larger "
                         "than the gap", tie=tie.Label, faces=[name, other], gap=gap, tolerance=tie.Tolerance.Value)
