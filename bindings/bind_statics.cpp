@@ -184,6 +184,21 @@ py::dict solve(const py::dict& arrays, const py::dict& given, const std::string&
     return to_dict(solution, seconds);
 }
 
+py::array_t<double> error_of_tets(const py::dict& arrays, const Rows& materials, const py::object& tet_materials,
+                                  const Rows& displacements, int threads) {
+    const Mesh mesh = mesh_from(arrays);
+    const std::size_t n = 3 * mesh.node_count();
+    const StaticsModel model{mesh,
+                             materials_from(materials),
+                             values_of<std::int32_t>(indices_from(tet_materials)),
+                             std::vector<double>(n, 0.0),
+                             std::vector<char>(n, 1),
+                             values_of<double>(displacements)};
+    check(model);
+    const auto of_tets = [&](RunContext& context) { return discretisation_error(model, model.given, context).of_tets; };
+    return array_of(run_released({}, threads, of_tets), {py::ssize_t(mesh.tets.size())});
+}
+
 std::string missing_solver() {
     std::string reason;
     return has_linear_solver(&reason) ? std::string() : reason;
@@ -207,6 +222,9 @@ void define_statics(py::module_& module) {
                py::arg("threads") = 1, py::arg("progress") = py::none(), py::arg("start") = py::none(),
                "Solves linear statics. What is kept under the name `keep` makes the next solution of that name faster. "
                "Where nothing is, `start` may be (node_numbers (n,), displacements (n,3) mm) of an earlier one.");
+    module.def("statics_error", &error_of_tets, py::arg("arrays"), py::arg("materials"), py::arg("tet_materials"),
+               py::arg("displacements"), py::arg("threads") = 1,
+               "(m,) by tet its part of the discretisation error; the sum of their squares is its square.");
     module.def("forget_statics", &forget, py::arg("keep"), "Frees what is kept under that name.");
 }
 

@@ -63,6 +63,13 @@ SizeZone zone_from(const py::dict& values) {
     return zone;
 }
 
+SourceBall ball_from(const std::array<double, 5>& values) {
+    const auto [x, y, z, radius, size] = values;
+    if (!(std::isfinite(x + y + z) && std::isfinite(radius) && radius >= 0 && std::isfinite(size) && size > 0))
+        throw InputError(say<Code::wrong_call>("A ball has a centre, a radius that is not negative, and a size."));
+    return {{x, y, z}, radius, size};
+}
+
 /// Throws InputError for what is negative or no number.
 double from_zero(const py::handle& value, const char* option) {
     const double number = value.cast<double>();
@@ -103,6 +110,11 @@ const std::map<std::string, TakeOption>& known_options() {
         {"zones",
          [](Asked& a, const py::handle& v) {
              for (const auto& zone : v.cast<std::vector<py::dict>>()) a.options.sizing.zones.push_back(zone_from(zone));
+         }},
+        {"balls",
+         [](Asked& a, const py::handle& v) {
+             for (const auto& ball : v.cast<std::vector<std::array<double, 5>>>())
+                 a.options.sizing.balls.push_back(ball_from(ball));
          }},
     };
     return known;

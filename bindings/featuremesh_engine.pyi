@@ -19,10 +19,10 @@
 `options` is a dict with at least size (mm); further min_size, elements_per_circle, elements_across_gap, growth, order (1, 2), threads,
 dimension ("from_shape", which takes solids, else faces, else edges; "solids", "faces", "edges"),
 target_dihedral_deg, keep_margin (in edge lengths; 0 is as the sizes need), ignore_below (mm; smaller details get no
-elements of their own; 0: those below a thousandth of the size, unless the part is refused without them; negative: none),
+elements of their own; 0: those below a two-hundredth of the size, unless the part is refused without them; negative: none),
 most_tets (more are refused), local: list of ("Face12", size), zones: list of dicts with name, inner, outer (mm; 0: size), transition (mm) and shape:
 "near" with entities (list of "Face12") and reach (mm), or, with rotation (9 floats, row by row) and translation (mm) in the part, "box" with sides (3),
-"sphere" with radius, "cylinder" with radius and height (mm).
+"sphere" with radius, "cylinder" with radius and height (mm); balls: list of (x, y, z, radius, size in mm), in each of which no more than its size is wanted.
 
 `progress(step: str, share: float) -> bool`: return False to cancel (raises Cancelled).
 """
@@ -118,6 +118,8 @@ def solve_statics(arrays: dict, model: dict, keep: str = "", threads: int = 1, p
     stresses (n,6) MPa (xx, yy, zz, xy, yz, zx), von_mises (n,), reactions (n,3) N, strain_energy (N mm), iterations, residual, energy_error,
     discretisation_error (an estimate, of the energy norm), preconditioner (its name), kept_preconditioner, kept_start_share, seconds by step.
     What is kept under the name `keep` makes the next solution of that name faster; where nothing is, `start` may be (node_numbers (n,), displacements (n,3) mm) of an earlier one."""
+def statics_error(arrays: dict, materials: np.ndarray, tet_materials: np.ndarray, displacements: np.ndarray, threads: int = 1) -> np.ndarray:
+    """(m,) by tet its part of the discretisation error that solve_statics tells of displacements (n,3) mm; the sum of their squares is its square (ZienkiewiczZhu1987)."""
 def forget_statics(keep: str) -> None: ...
 def write_activity_of_crash_to(descriptor: int) -> None:
     """From now on a crash of the process first writes what its thread was working on ("surface, Face12") to the file descriptor."""

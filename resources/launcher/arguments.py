@@ -5,7 +5,7 @@ import argparse
 import commands
 import study_arguments
 import wheels
-from lengths import ignored_length, millimetres
+from lengths import ignored_length, millimetres, share
 
 PROGRAM = "featuremesh"
 DESCRIPTION = "Tetrahedral FEM meshes of FreeCAD parts that are updated locally when the part is edited. Lengths in mm."
@@ -89,6 +89,8 @@ def add_solve(subparsers):
     which = solve.add_mutually_exclusive_group()
     which.add_argument("--live", action="store_true", help="only the live solver, no CalculiX for what it does not know")
     which.add_argument("--ccx", action="store_true", help="only CalculiX")
+    which.add_argument("--accuracy", type=share, metavar="PERCENT", help="the live solver; then the mesh is made finer where the result is off the most, and solved "
+                       "again, until the estimate of its error in the energy norm is no more than this")
     add_run(solve)
 
 

@@ -50,7 +50,7 @@ def update(given):
 def solve(given):
     part = existing_file(given.part)
     set_up(() if given.ccx else packages.SOLVER_PACKAGES)
-    return finish(task(given, part=part, analysis=given.analysis, live=given.live, ccx=given.ccx, threads=given.threads,
+    return finish(task(given, part=part, analysis=given.analysis, live=given.live, ccx=given.ccx, accuracy=given.accuracy, threads=given.threads,
                        out=written_document(given.out, part), json=written_file(given.json, ".json")))
 
 

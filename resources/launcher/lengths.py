@@ -26,3 +26,14 @@ def ignored_length(text):
     if not 0 < length < math.inf:
         raise argparse.ArgumentTypeError("'%s' is no length above zero, nor auto or off" % text)
     return length
+
+
+def share(text):
+    """A percentage, with or without its sign, as a share."""
+    try:
+        percent = float(text.strip().removesuffix("%"))
+    except ValueError:
+        percent = 0.0
+    if not 0 < percent < 100:
+        raise argparse.ArgumentTypeError("'%s' is no percentage between 0 and 100, such as 5" % text)
+    return percent / 100

@@ -54,6 +54,8 @@ SizePlaces cover_shape(const Brep& brep, const SizingOptions& options, RunContex
         cover_face(brep, FaceId(f), wishes, options.size, balls);
     }
     for (const auto& provider : providers) provider->cover(places, context);
+    for (const SourceBall& ball : options.balls)
+        if (ball.size < options.size) balls.push_back(ball);
     return places;
 }
 

@@ -11,6 +11,7 @@
 #include "core/ids.h"
 #include "core/run_context.h"
 #include "sizing/size_zone.h"
+#include "sizing/source_ball.h"
 
 namespace featuremesh {
 
@@ -30,6 +31,7 @@ struct SizingOptions {
     double growth = 1.3;  ///< neighbouring edge lengths differ at most by this factor: |h(x)-h(y)| <= (growth-1) |x-y|
     std::vector<LocalSize> local;
     std::vector<SizeZone> zones;
+    std::vector<SourceBall> balls;  ///< with a size of its own in each, as an estimate of the error asks
     bool operator==(const SizingOptions&) const = default;
 };
 

@@ -14,6 +14,7 @@ struct SourceBall {
     Vec3 center;
     double radius = 0;
     double size = 0;
+    bool operator==(const SourceBall&) const = default;
 
     /// The smaller of `best` and what this ball asks for at p; without a root where that is clearly more.
     double lower(double best, const Vec3& p, double slope, double inverse_slope) const {

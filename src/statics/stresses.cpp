@@ -138,8 +138,8 @@ std::vector<Stress> nodal_stresses(const StaticsModel& model, const std::vector<
     return stresses;
 }
 
-double discretisation_error(const StaticsModel& model, const std::vector<InnerStress>& inside,
-                            const std::vector<Stress>& nodal, RunContext& context) {
+DiscretisationError discretisation_error(const StaticsModel& model, const std::vector<InnerStress>& inside,
+                                         const std::vector<Stress>& nodal, RunContext& context) {
     const Mesh& mesh = model.mesh;
     const CornerWeights weights = inner_weights();
     const std::size_t points = points_of_tet(mesh);
@@ -157,7 +157,20 @@ double discretisation_error(const StaticsModel& model, const std::vector<InnerSt
     });
     double difference = 0, solution = 0;
     for (const auto& [a, b] : of_tets) difference += a, solution += b;
-    return solution > 0 ? std::sqrt(difference / (difference + solution)) : 0;
+    DiscretisationError error{0, std::vector<double>(of_tets.size(), 0.0)};
+    if (!(solution > 0)) return error;
+    const double energy = difference + solution;
+    error.whole = std::sqrt(difference / energy);
+    for (std::size_t tet = 0; tet < of_tets.size(); ++tet) error.of_tets[tet] = std::sqrt(of_tets[tet][0] / energy);
+    return error;
+}
+
+DiscretisationError discretisation_error(const StaticsModel& model, std::span<const double> displacements,
+                                         RunContext& context) {
+    const TetsOfNodes around = tets_of_nodes(model.mesh);
+    const Resistance resistance = resistance_to(displacements, model, around, context);
+    return discretisation_error(model, resistance.inside, nodal_stresses(model, resistance.inside, around, context),
+                                context);
 }
 
 double von_mises(const Stress& s) {

@@ -21,6 +21,7 @@ from .errors import NotSelected, StateError, UserError
 from .messages import of_error, said
 from .mesh_object import FeatureMesh, is_feature_mesh, options_of, refuse_other
 from .mesh_properties import DIMENSIONS, FROM_SHAPE, what_it_is_of
+from .refining import refine_by_error, solve_to  # noqa: F401
 from .refusals import all_or_nothing, finite_length, length_of, measure_of, pairs_given, part_to_mesh, refuse_no_document, refuse_no_size
 from .reports import plain
 

@@ -10,7 +10,7 @@ import itertools
 import FreeCAD
 import Part
 
-from . import analyses, assembled, disk_room, document_view, hand_over, recompute_errors, references, results, size_zone, statics, versions
+from . import analyses, assembled, disk_room, document_view, error_sizes, hand_over, recompute_errors, references, results, size_zone, statics, versions
 from .mesh_properties import EDITED_ELSEWHERE, OUT_OF_DATE, UP_TO_DATE, is_of_its_part
 from .reading import dependencies, has_shape
 
@@ -95,7 +95,7 @@ class _Observer:
 
     def slotOpenTransaction(self, document, _):
         _getting_shape.clear()
-        ours = [*_meshes_in(document), *filter(size_zone.is_zone, document.findObjects("App::GeometryPython")),
+        ours = [*_meshes_in(document), *filter(size_zone.is_zone, document.findObjects("App::GeometryPython")), *error_sizes.in_document(document),
                 *filter(assembled.is_assembled, document.findObjects("Part::FeaturePython"))]
         _untouched[document.Name] = [obj.Name for obj in ours if "Touched" not in obj.State]
 

@@ -589,10 +589,7 @@ def options_of(mesh, part, raw=None, refined=None, settings=None):
     options["min_size"] = options["min_size"] or AUTOMATIC_SHARE * options["size"]
     refined = refined or refinements.read(mesh, part, raw)
     too_fine.refuse_too_fine(part.Shape, options["size"], options["growth"], refined.at_entities())
-    options["local"] = [(name, size) for name, size, _ in refined.local]
-    if refined.zones:
-        options["zones"] = [wish for wish, _ in refined.zones]
-    return as_in_documents(options)
+    return as_in_documents({**options, **refined.options()})
 
 
 def is_cancelled(error):

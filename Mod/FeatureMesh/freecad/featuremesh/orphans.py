@@ -3,12 +3,13 @@
 
 import FreeCAD
 
-from . import assembled, live_result, mesh_object, mesh_properties, size_zone
+from . import assembled, error_sizes, live_result, mesh_object, mesh_properties, size_zone
 from .study import study_object
 
 # Properties that no other object without a proxy has, and the module and class of the proxy. A document may need any of these modules first, so the class
 # is looked up when it is wanted.
-_OURS = (({"Container", "Join"}, assembled, "AssembledParts"), ({"InnerSize", "OuterSize"}, size_zone, "SizeZone"), ({"SavedState"}, mesh_object, "FeatureMesh"),
+_OURS = (({"Container", "Join"}, assembled, "AssembledParts"), ({"InnerSize", "OuterSize"}, size_zone, "SizeZone"), ({"Radii", "Sizes"}, error_sizes, "ErrorSizes"),
+         ({"SavedState"}, mesh_object, "FeatureMesh"),
          ({"SolvedState"}, live_result, "LiveResult"), ({"Sampling", "SecondsLimit"}, study_object, "StudyObject"))
 _observer = None
 

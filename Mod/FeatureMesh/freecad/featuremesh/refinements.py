@@ -3,7 +3,7 @@
 
 from dataclasses import dataclass, field
 
-from . import resolving, size_zone
+from . import error_sizes, resolving, size_zone
 from .errors import UserError
 from .messages import said
 from .proxies import type_of
@@ -19,6 +19,7 @@ class Refinements:
     """What a mesh is to be refined by."""
     local: list = field(default_factory=list)   # ("Face12", size in mm, the object)
     zones: list = field(default_factory=list)   # (what the engine takes, see size_zone.wish_of, the object)
+    balls: list = field(default_factory=list)   # what the engine takes, see error_sizes.balls_of
     notes: list = field(default_factory=list)   # a message for each that is left out
 
     def at_entities(self):
@@ -26,13 +27,18 @@ class Refinements:
         near = [(name, wish["inner"], obj) for wish, obj in self.zones for name in wish.get("entities", ())]
         return [(name, size, describe(obj)) for name, size, obj in self.local + near]
 
+    def options(self):
+        """As the engine takes them."""
+        asked = {"zones": [wish for wish, _ in self.zones], "balls": self.balls}
+        return {"local": [(name, size) for name, size, _ in self.local], **{name: values for name, values in asked.items() if values}}
+
 
 def list_for(obj):
     """The property of a mesh object in which a refinement or a mesh group is listed; None for anything else."""
     kind = type_of(obj)
     if kind == "Fem::MeshGroup":
         return "MeshGroupList"
-    return "MeshRegionList" if kind in _FEMS_OWN or size_zone.is_zone(obj) else None
+    return "MeshRegionList" if kind in _FEMS_OWN or size_zone.is_zone(obj) or error_sizes.is_error_sizes(obj) else None
 
 
 def read(mesh, part, raw=None):
@@ -41,6 +47,9 @@ def read(mesh, part, raw=None):
     for obj in mesh.MeshRegionList:
         if size_zone.is_suppressed(obj):
             found.notes.append(said("The refinement {zone:text} is suppressed and left out.", zone=obj.Label))
+            continue
+        if error_sizes.is_error_sizes(obj):
+            found.balls += error_sizes.balls_of(obj, part)
             continue
         names, foreign = resolver.of_object(obj)
         if foreign:

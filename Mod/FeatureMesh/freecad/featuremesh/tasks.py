@@ -86,9 +86,10 @@ def solve(task):
     document = documents.open_document(task["part"])
     analysis = api.find_analysis(document, task.get("analysis"))
     which = "live" if task.get("live") else "ccx" if task.get("ccx") else None
-    report = api.solve_analysis(analysis, which, threads=task.get("threads") or 0, progress=_progress)
+    threads = task.get("threads") or 0
+    report = api.solve_to(analysis, task["accuracy"], threads, _progress) if task.get("accuracy") else api.solve_analysis(analysis, which, threads=threads, progress=_progress)
     out = _save(document, task, report)
-    return "%s; saved as %s" % (solution_in_words(report), out), report
+    return "%s%s; saved as %s" % (solution_in_words(report), _rounds_in_words(report), out), report
 
 
 def diff(task):
@@ -271,6 +272,12 @@ def solution_in_words(report):
     """What a solution gave, in a line."""
     found, how = report["responses"], ", %d iterations" % report["iterations"] if report["iterations"] is not None else ""
     return "%s: %s, in %.2f s%s" % ("live" if report["solver"] == "live" else report["solver"], _responses_in_words(found), report["seconds"]["total"], how)
+
+
+def _rounds_in_words(report):
+    """How the mesh got finer."""
+    rounds = report.get("rounds") or []
+    return "".join("; %s%d elements, off by about %.2g %%" % ("then " if index else "", found["elements"], 100 * found["mesh_error"]) for index, found in enumerate(rounds))
 
 
 def _responses_in_words(found):

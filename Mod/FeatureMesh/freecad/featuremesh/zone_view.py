@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How a refinement zone looks: its place in the 3D view, and what a double click does."""
+"""How a refinement zone looks: its place in the 3D view, and what a double click does; and the icon of a refinement by error, which the mesh alone shows."""
 
 import math
 
@@ -8,6 +8,7 @@ from pivy import coin
 
 from . import size_zone, versions, view_provider
 from .gui.edited_in_panel import DrawnByUs
+from .proxies import View
 
 _COLOUR, _FADED = (0.95, 0.55, 0.16), (0.6, 0.6, 0.6)   # as it is, and suppressed
 _TRANSPARENCY = 0.7
@@ -51,6 +52,13 @@ class ViewSizeZone(DrawnByUs):
             self._drawing.addChild(node)
         for node in _near(zone) if zone.Kind == size_zone.DISTANCE else _solid(zone):
             self._drawing.addChild(node)
+
+
+class ViewErrorSizes(View):
+    """Proxy of the view. Its class path is stored in documents and never changes."""
+
+    def getIcon(self):
+        return view_provider.kept_icon("FeatureMesh_AddSizeZone")
 
 
 def _look(colour):

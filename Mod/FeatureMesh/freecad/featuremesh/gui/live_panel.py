@@ -23,6 +23,7 @@ translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _FIELDS = {"von_mises": QT_TRANSLATE_NOOP("FeatureMesh", "von Mises stress"), "displacement": QT_TRANSLATE_NOOP("FeatureMesh", "displacement")}
 _DECIMALS = 4
+_ACCURACY = 5.0       # percent that are offered
 _MARKS, _GAP = 4, 6   # of the legend, and pixels between them at least
 _DIGITS = 3, 2        # of its numbers, and where there is no room for these
 
@@ -49,10 +50,11 @@ class LivePanel(ClosesWithObject):
         self.ten_nodes.clicked.connect(self._take_ten_nodes)
         for widget in (self.status, self.remarks, self.ten_nodes, self.bar, self.button):
             layout.addWidget(widget)
+        layout.addLayout(self._accuracy_in_a_form())
         layout.addLayout(self._fields_in_a_form())
         for widget in (self.legend, self.grey, self.largest, self.cut):
             layout.addWidget(widget)
-        wheel.scrolls(self.form, self.field)
+        wheel.scrolls(self.form, self.field, self.accuracy)
         self._set_fields()
         self._later = QtCore.QTimer()
         self._later.setSingleShot(True)
@@ -76,6 +78,7 @@ class LivePanel(ClosesWithObject):
         self.remarks.setVisible(bool(self.remarks.text()))
         mesh = live.Proxy.mesh(live)
         self.ten_nodes.setVisible(mesh is not None and mesh.Order == "1st")
+        self._show_error(report.get("mesh_error") if is_fresh else None)
         if not self.top.hasFocus():   # while it is being typed
             self._show_top()
         self.legend.show_range(drawn, *self._unit(), is_fresh)
@@ -112,6 +115,27 @@ class LivePanel(ClosesWithObject):
         form.addRow(translate("FeatureMesh", "Scale"), self.scale)
         form.addRow(translate("FeatureMesh", "Colours up to"), self.top)
         return form
+
+    def _accuracy_in_a_form(self):
+        self.error, self.accuracy = narrow.Words(), QtGui.QDoubleSpinBox()
+        self.accuracy.setRange(0.1, 99.0)
+        self.accuracy.setDecimals(1)
+        self.accuracy.setSuffix(" %")
+        self.accuracy.setValue(_ACCURACY)
+        self.accuracy.setToolTip(translate("FeatureMesh", "Of the energy norm: how far stresses may be off in the mean, because the elements are not smaller"))
+        self.accuracy.valueChanged.connect(lambda _: self.refresh())
+        self.finer = QtGui.QPushButton(translate("FeatureMesh", "Refine where it is off"))
+        self.finer.clicked.connect(self._refine)
+        form = QtGui.QFormLayout()
+        form.addRow(translate("FeatureMesh", "Error of the mesh"), self.error)
+        form.addRow(translate("FeatureMesh", "Wanted"), self.accuracy)
+        form.addRow(self.finer)
+        return form
+
+    def _show_error(self, error):
+        """`error` is a share, None where there is none of the mesh as it is."""
+        self.error.setText(translate("FeatureMesh", "about %s %%") % figure(100 * error, 2) if error is not None else translate("FeatureMesh", "not known yet"))
+        self.finer.setEnabled(error is not None and 100 * error > self.accuracy.value())
 
     def _set_fields(self):
         """As the view has it, before anything is connected."""
@@ -195,6 +219,17 @@ class LivePanel(ClosesWithObject):
             self._document.recompute()
         recording.forget(mesh)
         recording.recomputed(self._document)
+        self.refresh()
+
+    def _refine(self):
+        try:
+            with undo_step(self._document, self.finer.text()):
+                recording.run(api.refine_by_error, self.live.Proxy.analysis(self.live), self.accuracy.value() / 100)
+                self._document.recompute()
+            recording.recomputed(self._document)
+        except (UserError, RuntimeError) as error:
+            self.status.setText(user_words.in_words(messages.of_error(error)))
+            return
         self.refresh()
 
     def _follow(self, live, name):

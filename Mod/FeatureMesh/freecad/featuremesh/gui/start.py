@@ -4,7 +4,7 @@
 import FreeCAD
 import FreeCADGui as Gui
 
-from .. import assembled, assembled_view, live_result, live_view, mesh_object, orphans, size_zone, study_view, view_provider, waiting, zone_view
+from .. import assembled, assembled_view, error_sizes, live_result, live_view, mesh_object, orphans, size_zone, study_view, view_provider, waiting, zone_view
 from ..commands import COMMANDS, IN_FEM, OF_A_MESH
 from ..commands.freecad import register
 from ..study import study_object, window_run
@@ -42,6 +42,7 @@ def start():
     live_result.on_solution.append(live_view.show_solution)
     study_object.on_ready.append(study_view.ViewStudy.attach_to)
     size_zone.on_ready.append(zone_view.ViewSizeZone.attach_to)
+    error_sizes.on_ready.append(zone_view.ViewErrorSizes.attach_to)
     assembled.on_ready.append(assembled_view.attach)
     orphans.install()
     live_runner.install()
