@@ -399,3 +399,20 @@ TEST_CASE("a size far too small is soon told to make too many tets") {
     CHECK(tets >= plain);
     CHECK(tets < 1.01 * plain);
 }
+
+TEST_CASE("a ball has its size, which grows around it, and only there is the field another one") {
+    const Brep brep = block();
+    SizingOptions options = of_size(8);
+    const SizingField plain = sizing_of(brep, options);
+    options.balls = {{{30, 20, 10}, 2, 1}, {{5, 5, 5}, 1, 20}};  // what is coarser than the size asks for nothing
+    const SizingField field = sizing_of(brep, options);
+    CHECK(field.at({30, 20, 11}) == 1);
+    CHECK(field.at({36, 20, 10}) == Approx(1 + 0.3 * 4));
+    CHECK(field.at({5, 5, 5}) == 8);
+    CHECK(field.smallest() == 1);
+    const std::vector<Box> boxes = where_different(plain, field);
+    REQUIRE(boxes.size() == 1);
+    CHECK(boxes[0].contains({30, 20, 10}));
+    CHECK(boxes[0].size().x == Approx(2 * (2 + 7 / 0.3)));
+    CHECK(where_different(field, sizing_of(brep, options)).empty());
+}

@@ -128,6 +128,26 @@ TEST_CASE("a cantilever comes to the deflection of a beam with shear, and reacti
     CHECK(error_before < 0.01);
 }
 
+TEST_CASE("the error of the mesh is that of its tets, whoever asks for it, and of the size of the true one") {
+    NEEDS_SOLVER();
+    const double length = 100, side = 10, force = 1000, young = 210000;
+    const double beam = force * length * length * length / (3 * young * side * side * side * side / 12) +
+                        force * length / (5.0 / 6 * young / 2 * side * side);
+    for (const int order : {1, 2}) {
+        const Mesh mesh = solved_box(4, order, {length, side, side});
+        const StaticsModel model = cantilever(mesh, length, force);
+        const StaticsSolution solution = solved(model);
+        RunContext context;
+        const DiscretisationError error = discretisation_error(model, solution.displacements, context);
+        CHECK(error.whole == Approx(solution.discretisation_error).epsilon(1e-9));
+        double sum = 0;
+        for (const double of_tet : error.of_tets) sum += of_tet * of_tet;
+        CHECK(std::sqrt(sum) == Approx(error.whole).epsilon(1e-12));
+        const double of_energy = std::sqrt(1 - solution.strain_energy / (force * beam / 2));
+        CHECK(error.whole / of_energy == Approx(0.95).margin(0.35));
+    }
+}
+
 TEST_CASE("self weight stretches a hanging bar by its own formula") {
     NEEDS_SOLVER();
     const double density = 7.85e-9, gravity = 9806, height = 100;

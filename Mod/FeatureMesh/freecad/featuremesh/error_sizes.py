@@ -98,7 +98,7 @@ def wanted(arrays, error_of_tets, accuracy):
     """The elements that bring the error, of which (m,) are the parts of the tets, down to `accuracy`, or ten times as many as there are.
 
     The squared error of a place goes with h^(2p), p being the order of the elements. Of all sizes h that leave the same error those with the fewest elements have
-    the same C h^(2p+3) everywhere, where C h^(2p) is the squared error by volume (LiBettess1995, equation of the optimal mesh, in three dimensions).
+    the same C h^(2p+3) everywhere, where C h^(2p) is the squared error by volume (docs/design/accuracy.md).
     """
     order = 2 if len(arrays["tet_mids"]) else 1
     nodes, volume, squared, tets, length = _by_node(arrays, error_of_tets)

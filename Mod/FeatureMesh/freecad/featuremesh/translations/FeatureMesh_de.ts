@@ -32,6 +32,10 @@
       <translation>Kantenlänge, bis zu der sie außen wächst; 0: die Größe des Netzes</translation>
     </message>
     <message>
+      <source>Edge lengths there, mm</source>
+      <translation>Kantenlängen dort, mm</translation>
+    </message>
+    <message>
       <source>Edges along a full circle of any curved face or edge; 0: sizes do not follow curvature</source>
       <translation>Kanten auf einem vollen Kreis jeder gekrümmten Fläche oder Kante; 0: die Größe folgt der Krümmung nicht</translation>
     </message>
@@ -80,12 +84,20 @@
       <translation>Höhe des Quaders oder des Zylinders, entlang seiner z-Achse</translation>
     </message>
     <message>
+      <source>How far around them, mm</source>
+      <translation>Wie weit um sie herum, mm</translation>
+    </message>
+    <message>
       <source>How far from the references the inner size reaches</source>
       <translation>Wie weit von den Referenzen die innere Größe reicht</translation>
     </message>
     <message>
       <source>How the cases are chosen</source>
       <translation>Wie die Fälle ausgewählt werden</translation>
+    </message>
+    <message>
+      <source>In how many places smaller elements are asked for</source>
+      <translation>An wie vielen Stellen kleinere Elemente verlangt sind</translation>
     </message>
     <message>
       <source>Largest displacement, mm</source>
@@ -214,6 +226,14 @@
     <message>
       <source>The parts, in the order of the solids of the shape</source>
       <translation>Die Bauteile, in der Reihenfolge der Volumenkörper der Form</translation>
+    </message>
+    <message>
+      <source>The places, in the part's own frame</source>
+      <translation>Die Stellen, im eigenen Koordinatensystem des Teils</translation>
+    </message>
+    <message>
+      <source>The smallest edge length that is asked for</source>
+      <translation>Die kleinste Kantenlänge, die verlangt ist</translation>
     </message>
     <message>
       <source>Time the last mesh or update took</source>
@@ -479,6 +499,10 @@
       <translation>Rechenprogramm</translation>
     </message>
     <message>
+      <source>Error of the mesh</source>
+      <translation>Fehler des Netzes</translation>
+    </message>
+    <message>
       <source>FreeCAD cannot open {path:text}: {why:messages}</source>
       <translation>FreeCAD kann {path:text} nicht öffnen: {why:messages}</translation>
     </message>
@@ -571,8 +595,20 @@
       <translation>Neben {edges:entities} liegt nichts: Die Flächen dort liegen aufeinander, wie die eines Schlitzes ohne Breite mitten im Teil. Entfernen oder verbreitern Sie das Feature, das ihn erzeugt hat, oder lassen Sie nur Details unter einer kleineren Länge weg.</translation>
     </message>
     <message>
+      <source>Of the energy norm: how far stresses may be off in the mean, because the elements are not smaller</source>
+      <translation>In der Energienorm: wie weit Spannungen im Mittel falsch sein dürfen, weil die Elemente nicht kleiner sind</translation>
+    </message>
+    <message>
       <source>Pareto front</source>
       <translation>Pareto-Front</translation>
+    </message>
+    <message>
+      <source>Refine where it is off</source>
+      <translation>Verfeinern, wo er groß ist</translation>
+    </message>
+    <message>
+      <source>Refinement by error</source>
+      <translation>Verfeinerung nach Fehler</translation>
     </message>
     <message>
       <source>Responses over parameters</source>
@@ -669,6 +705,10 @@
     <message>
       <source>This is in no mesh. Drag it to one in the tree.</source>
       <translation>Dies ist in keinem Netz. Im Baum auf eines ziehen.</translation>
+    </message>
+    <message>
+      <source>Wanted</source>
+      <translation>Gewünscht</translation>
     </message>
     <message>
       <source>What matters</source>
@@ -775,6 +815,10 @@
       <translation>ein Arbeitsprozess kann nicht starten: {why:messages}; siehe die Protokolle der Arbeitsprozesse in {folder:text}</translation>
     </message>
     <message>
+      <source>about %s %%</source>
+      <translation>etwa %s %%</translation>
+    </message>
+    <message>
       <source>about {hours:number} h left</source>
       <translation>noch etwa {hours:number} h</translation>
     </message>
@@ -797,6 +841,10 @@
     <message>
       <source>additive</source>
       <translation>additiv</translation>
+    </message>
+    <message>
+      <source>after {rounds:count} meshes the stresses are still off by about {percent:number} % in the mean of the energy, more than the {wanted:number} % that were asked for: beside sharp corners, and loads on points or edges, finer meshes gain little</source>
+      <translation>nach {rounds:count} Netzen sind die Spannungen im Mittel der Energie noch um etwa {percent:number} % falsch, mehr als die verlangten {wanted:number} %: neben scharfen Ecken und Lasten auf Punkten oder Kanten bringen feinere Netze wenig</translation>
     </message>
     <message>
       <source>all loads act on what the supports hold, so nothing moves; look at the faces, edges and vertices that they are on</source>
@@ -1137,6 +1185,10 @@
       <translation>nicht übertroffen</translation>
     </message>
     <message>
+      <source>not known yet</source>
+      <translation>noch nicht bekannt</translation>
+    </message>
+    <message>
       <source>not solved</source>
       <translation>nicht gelöst</translation>
     </message>
@@ -1299,6 +1351,10 @@
     <message>
       <source>the FEM mesh of another maker</source>
       <translation>das FEM-Netz eines anderen Vernetzers</translation>
+    </message>
+    <message>
+      <source>the accuracy is a share between 0 and 1, such as 0.05, not {accuracy:text}</source>
+      <translation>die Genauigkeit ist ein Anteil zwischen 0 und 1, etwa 0.05, nicht {accuracy:text}</translation>
     </message>
     <message>
       <source>the analysis gives no {what:messages}</source>
@@ -1555,6 +1611,10 @@
     <message>
       <source>there is no file {path:text}</source>
       <translation>die Datei {path:text} gibt es nicht</translation>
+    </message>
+    <message>
+      <source>there is no live result of {mesh:text} as it is; solve first</source>
+      <translation>es gibt kein Live-Ergebnis von {mesh:text}, wie es jetzt ist; zuerst lösen</translation>
     </message>
     <message>
       <source>there is no response {kind:text}{near:messages}; there are {kinds:text}</source>
