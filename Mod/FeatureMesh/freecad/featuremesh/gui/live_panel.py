@@ -228,7 +228,7 @@ class LivePanel(ClosesWithObject):
                 self._document.recompute()
             recording.recomputed(self._document)
         except (UserError, RuntimeError) as error:
-            self.status.setText(user_words.in_words(messages.of_error(error)))
+            self.status.setText(user_words.as_sentence(messages.of_error(error)))
             return
         self.refresh()
 
