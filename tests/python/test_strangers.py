@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Loads on links, mirrored parts, instances of patterns and sides of a box go to no other feature's face, no other instance and no other side."""
 import unittest
+from unittest import mock
 
 import Draft
 import FreeCAD
@@ -144,6 +145,17 @@ class AnUndo(OnAFace):
         self.document.redo()
         self.load = self.document.Other
         self.assertEqual(list(map(self.is_hole, self.loaded())), [True])
+
+    def test_an_edit_that_gave_no_face_another_number(self):
+        """The record says the same of both meshes, and what is undone with the mesh is followed by nobody."""
+        self.document.UndoMode = 1
+        self.meshed_with_a_load(plate_with_hole(self.document), self.is_hole)
+        self.document.openTransaction("Edit")
+        api.edit(self.document, ["HoleSketch.Radius=8"])
+        self.document.commitTransaction()
+        with mock.patch.object(type(self.mesh.Proxy), "_follow") as follow:
+            self.document.undo()
+        follow.assert_not_called()
 
     @staticmethod
     def is_hole(face):

@@ -22,7 +22,7 @@ class NotedParts:
         self._parts = {}    # by what the record calls it: the part as reading.read_document gives it
         self._packed = {}   # the same as text
         self._last = {}, None   # the record that was stored last, which an undo does not bring back, and the part that was meshed then
-        self._stored = {}   # by the text of a record: the checksum of the mesh's state when it was stored, and the part that was meshed then
+        self._stored = {}   # by a record and the checksum of the mesh's state when it was stored: the part that was meshed then, of the last ones
 
     def name_of(self, raw):
         """What the record is to call the part as it was read."""
@@ -41,18 +41,18 @@ class NotedParts:
         mesh than it has left: FreeCAD takes back what a step set, and no more."""
         last, meshed = self._last
         left = {obj.Name: (last[obj.Name], meshed) for obj in objects if meshed is not None and obj.Name in last and not differs(obj, last[obj.Name], ())}
-        checksum, then = self._stored.get(mesh.ReferredTo, (None, None))
-        if then is not None and checksum != state.checksum_of(mesh.SavedState):
-            left = {**{name: (known, then) for name, known in record.items() if "of" not in known}, **left}
+        text, checksum = _key(mesh)
+        parts = [part for (stored, _), part in self._stored.items() if stored == text and part is not None]
+        if parts and (text, checksum) not in self._stored and any(checksum == known for _, known in self._stored):
+            left = {**{name: (known, parts[-1]) for name, known in record.items() if "of" not in known}, **left}
         return {name: {"of": self.name_of(part), **known} for name, (known, part) in left.items()}
 
     def store(self, mesh, record, meshed):
         """To be called with each new record, which the mesh has already, and the part as it was meshed last."""
         self._last = record, meshed
-        self._stored.pop(mesh.ReferredTo, None)
-        self._stored[mesh.ReferredTo] = state.checksum_of(mesh.SavedState), meshed
-        if len(self._stored) > _STATES:
-            self._stored.pop(next(iter(self._stored)))
+        self._stored.pop(_key(mesh), None)
+        self._stored[_key(mesh)] = meshed
+        self._stored.update(dict.fromkeys(list(self._stored)[:-_STATES]))
         names = {known["of"] for known in record.values() if "of" in known}
         text = json.dumps({name: self._packed[name] for name in sorted(names) if name in self._packed}) if names else ""
         if mesh.NotedParts != text:
@@ -64,6 +64,11 @@ class NotedParts:
         for name, text in self._packed.items():
             raw = _unpacked(text)
             self._parts[name] = with_elements(raw, elements_of_today(raw, mesh.Document))
+        self._stored[_key(mesh)] = None
+
+
+def _key(mesh):
+    return hash(mesh.ReferredTo), state.checksum_of(mesh.SavedState)
 
 
 def _packed(raw):
