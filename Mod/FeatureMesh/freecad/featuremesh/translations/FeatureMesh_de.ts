@@ -843,10 +843,6 @@
       <translation>additiv</translation>
     </message>
     <message>
-      <source>after {rounds:count} meshes the stresses are still off by about {percent:number} % in the mean of the energy, more than the {wanted:number} % that were asked for: beside sharp corners, and loads on points or edges, finer meshes gain little</source>
-      <translation>nach {rounds:count} Netzen sind die Spannungen im Mittel der Energie noch um etwa {percent:number} % falsch, mehr als die verlangten {wanted:number} %: neben scharfen Ecken und Lasten auf Punkten oder Kanten bringen feinere Netze wenig</translation>
-    </message>
-    <message>
       <source>all loads act on what the supports hold, so nothing moves; look at the faces, edges and vertices that they are on</source>
       <translation>alle Lasten wirken auf das, was die Lager halten, so dass sich nichts bewegt; die Flächen, Kanten und Ecken ansehen, auf denen sie sind</translation>
     </message>
@@ -1567,6 +1563,10 @@
     <message>
       <source>the solver is live or ccx, not {solver:text}</source>
       <translation>der Löser ist live oder ccx, nicht {solver:text}</translation>
+    </message>
+    <message>
+      <source>the stresses are still off by about {percent:number} % in the mean of the energy, more than the {wanted:number} % that were asked for: beside sharp corners, and loads on points or edges, finer meshes gain little</source>
+      <translation>die Spannungen sind im Mittel der Energie noch um etwa {percent:number} % falsch, mehr als die verlangten {wanted:number} %: neben scharfen Ecken und Lasten auf Punkten oder Kanten bringen feinere Netze wenig</translation>
     </message>
     <message>
       <source>the study has no response {response:text}; it has {responses:text}</source>
