@@ -127,6 +127,18 @@ class Accuracy(unittest.TestCase):
         self.assertNotEqual(refinement.Places, places)
         self.assertEqual([refinement], mesh.MeshRegionList)
 
+    def test_a_copy_of_the_analysis_with_a_mesh_of_its_own_is_refined_by_itself(self):
+        mesh = self.mesh()
+        api.solve_to(self.analysis, 0.04)
+        refined = mesh.TetCount
+        copy = api.copy_analysis(self.analysis, mesh="own")
+        own, = [member for member in copy.Group if mesh_object.is_feature_mesh(member)]
+        api.solve_to(copy, 0.02)
+        self.document.recompute()
+        self.assertEqual((mesh.TetCount, len(mesh.MeshRegionList)), (refined, 1))
+        self.assertGreater(own.TetCount, refined)
+        self.assertEqual(own.MeshRegionList[:1], mesh.MeshRegionList)
+
     def test_what_cannot_be_refined_is_said_and_nothing_is_left_in_the_document(self):
         mesh = self.mesh()
         for accuracy, result in ((0.05, False), (2, True), (float("nan"), True)):

@@ -66,8 +66,8 @@ def in_document(document):
 
 
 def add_balls(mesh, balls):
-    """Asks for these, as `wanted` gives them, in the refinement by error of the mesh object, made where it has none. Returns it."""
-    obj = next(filter(is_error_sizes, mesh.MeshRegionList), None)
+    """Asks for these, as `wanted` gives them, in the refinement by error of the mesh object, made where it has none of its own. Returns it."""
+    obj = next((one for one in mesh.MeshRegionList if is_error_sizes(one) and _meshes_of(one) == [mesh]), None)
     if obj is None:
         obj = mesh.Document.addObject(_TYPE, "ErrorSizes")
         ErrorSizes(obj)
@@ -80,6 +80,11 @@ def add_balls(mesh, balls):
     obj.Radii, obj.Sizes = list(obj.Radii) + balls[:, 3].tolist(), list(obj.Sizes) + balls[:, 4].tolist()
     obj.Places, obj.SmallestSize = len(obj.Sizes), min(obj.Sizes)
     return obj
+
+
+def _meshes_of(obj):
+    """A copy of a mesh has the refinements of that."""
+    return [mesh for mesh in dict.fromkeys(obj.InList) if obj in getattr(mesh, "MeshRegionList", ())]
 
 
 def balls_of(obj, part):
