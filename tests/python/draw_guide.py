@@ -18,7 +18,7 @@ import Part  # noqa: E402
 import window  # noqa: E402
 from parts import new_document, plate_with_hole  # noqa: E402
 from PySide import QtCore, QtGui  # noqa: E402
-from window import panel, spin, wait_for  # noqa: E402
+from window import click, panel, spin, wait_for  # noqa: E402
 
 VIEW = (290, 130, 980, 610)   # the 3D view on the screen, (x, y, width, height)
 BRACKET = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "resources", "examples", "bracket.FCStd")
@@ -297,7 +297,7 @@ def draw_study_report(of_study, page):
 
 
 def draw_live(document, mesh):
-    """The live result before an edit, and what the edit changed."""
+    """The live result before an edit, what the edit changed, and the mesh that is refined where the result is off."""
     from freecad.featuremesh import live_result
     Gui.runCommand("FeatureMesh_LiveResult")
     spin()
@@ -308,8 +308,14 @@ def draw_live(document, mesh):
     wait_for(lambda: shown.live.Status == live_result.UP_TO_DATE)
     shown.difference.setChecked(True)
     save("live_change")
+    shown.difference.setChecked(False)
+    click(shown.finer)
+    wait_for(lambda: mesh.MeshRegionList and shown.live.Status == live_result.UP_TO_DATE)
+    shown.live.ViewObject.Visibility, mesh.ViewObject.Visibility = False, True
+    save("refined")
     shown.reject()
-    shown.live.ViewObject.Visibility = False
+    document.removeObject(mesh.MeshRegionList[0].Name)
+    document.recompute()
 
 
 def draw_difference(part, mesh, compare, path):
