@@ -130,7 +130,8 @@ StaticsSolution StaticsSolver::solve_ordered(const Ordered& ordered, RunContext&
     solution.strain_energy =
         product(resisting, solution.displacements) / 2 + product(residual_of(model, resisting), solution.displacements);
     solution.stresses = nodal_stresses(model, resistance.inside, around, context);
-    solution.discretisation_error = discretisation_error(model, resistance.inside, solution.stresses, context).whole;
+    solution.discretisation_error =
+        discretisation_error(model, resistance.inside, solution.stresses, around, context).whole;
     last_ = {model.mesh.node_numbers, solution.displacements};
     return solution;
 }

@@ -86,6 +86,42 @@ Stress difference_at(const Mesh& mesh, std::size_t tet, std::size_t point, Stres
     return own;
 }
 
+/// Over those of the tets around each that count; nothing where there are none.
+template <class Counts>
+std::vector<Stress> means_at_nodes(const StaticsModel& model, const std::vector<InnerStress>& inside,
+                                   const TetsOfNodes& around, RunContext& context, Counts counts) {
+    const Mesh& mesh = model.mesh;
+    const CornerWeights weights = corner_weights();
+    std::vector<Stress> stresses(mesh.node_count(), Stress{});
+    parallel_for(context, mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t node = begin; node < end; ++node) {
+            const auto first = around.tets.begin() + around.starts[node],
+                       last = around.tets.begin() + around.starts[node + 1];
+            const auto count =
+                double(std::count_if(first, last, [&](std::int32_t t) { return counts(std::size_t(t)); }));
+            for (auto t = first; t != last; ++t) {
+                const auto tet = std::size_t(*t);
+                if (!counts(tet)) continue;
+                const Stress there = mesh.order == 1 ? inside[tet].stress
+                                                     : continued({inside.data() + 4 * tet, 4}, weights,
+                                                                 corners_of(place_in(mesh, tet, node)));
+                for (std::size_t k = 0; k < 6; ++k) stresses[node][k] += there[k] / count;
+            }
+        }
+    });
+    return stresses;
+}
+
+/// By material the means over its tets; none where there is one alone.
+std::vector<std::vector<Stress>> means_by_material(const StaticsModel& model, const std::vector<InnerStress>& inside,
+                                                   const TetsOfNodes& around, RunContext& context) {
+    std::vector<std::vector<Stress>> means;
+    for (std::size_t m = 0; model.materials.size() > 1 && m < model.materials.size(); ++m)
+        means.push_back(means_at_nodes(model, inside, around, context,
+                                       [&](std::size_t tet) { return std::size_t(model.tet_materials[tet]) == m; }));
+    return means;
+}
+
 }  // namespace
 
 Resistance resistance_to(std::span<const double> displacements, const StaticsModel& model, const TetsOfNodes& around,
@@ -120,40 +156,30 @@ Resistance resistance_to(std::span<const double> displacements, const StaticsMod
 
 std::vector<Stress> nodal_stresses(const StaticsModel& model, const std::vector<InnerStress>& inside,
                                    const TetsOfNodes& around, RunContext& context) {
-    const Mesh& mesh = model.mesh;
-    const CornerWeights weights = corner_weights();
-    std::vector<Stress> stresses(mesh.node_count(), Stress{});
-    parallel_for(context, mesh.node_count(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t node = begin; node < end; ++node) {
-            const auto count = double(around.starts[node + 1] - around.starts[node]);
-            for (auto t = around.starts[node]; t < around.starts[node + 1]; ++t) {
-                const auto tet = std::size_t(around.tets[std::size_t(t)]);
-                const Stress there = mesh.order == 1 ? inside[tet].stress
-                                                     : continued({inside.data() + 4 * tet, 4}, weights,
-                                                                 corners_of(place_in(mesh, tet, node)));
-                for (std::size_t k = 0; k < 6; ++k) stresses[node][k] += there[k] / count;
-            }
-        }
-    });
-    return stresses;
+    return means_at_nodes(model, inside, around, context, [](std::size_t) { return true; });
 }
 
 DiscretisationError discretisation_error(const StaticsModel& model, const std::vector<InnerStress>& inside,
-                                         const std::vector<Stress>& nodal, RunContext& context) {
+                                         const std::vector<Stress>& nodal, const TetsOfNodes& around,
+                                         RunContext& context) {
     const Mesh& mesh = model.mesh;
     const CornerWeights weights = inner_weights();
+    const std::vector<std::vector<Stress>> of_materials = means_by_material(model, inside, around, context);
     const std::size_t points = points_of_tet(mesh);
     std::vector<std::array<double, 2>> of_tets(mesh.tets.size(), {0.0, 0.0});  // of the difference, of the solution
     parallel_for(context, mesh.tets.size(), grain, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tet = begin; tet < end; ++tet)
+        for (std::size_t tet = begin; tet < end; ++tet) {
+            const std::vector<Stress>& means =
+                of_materials.empty() ? nodal : of_materials[std::size_t(model.tet_materials[tet])];
             for (std::size_t p = 0; p < points; ++p) {
                 const auto& [own, volume] = inside[points * tet + p];
-                of_tets[tet][1] += volume * energy_density(own, model.material(tet));
+                const Material& material = model.material(tet);
+                of_tets[tet][1] += volume * energy_density(own, material);
                 for (std::size_t at = p; at < 4; at += points)
-                    of_tets[tet][0] +=
-                        volume * double(points) / 4 *
-                        energy_density(difference_at(mesh, tet, at, own, weights, nodal), model.material(tet));
+                    of_tets[tet][0] += volume * double(points) / 4 *
+                                       energy_density(difference_at(mesh, tet, at, own, weights, means), material);
             }
+        }
     });
     double difference = 0, solution = 0;
     for (const auto& [a, b] : of_tets) difference += a, solution += b;
@@ -170,7 +196,7 @@ DiscretisationError discretisation_error(const StaticsModel& model, std::span<co
     const TetsOfNodes around = tets_of_nodes(model.mesh);
     const Resistance resistance = resistance_to(displacements, model, around, context);
     return discretisation_error(model, resistance.inside, nodal_stresses(model, resistance.inside, around, context),
-                                context);
+                                around, context);
 }
 
 double von_mises(const Stress& s) {

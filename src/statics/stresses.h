@@ -36,13 +36,15 @@ std::vector<Stress> nodal_stresses(const StaticsModel& model, const std::vector<
                                    const TetsOfNodes& around, RunContext& context);
 
 /// Estimate of how far the mesh keeps the solution from the true one: the energy norm of the difference between the
-/// elements' stresses and the nodes' means, over that of the solution (ZienkiewiczZhu1987).
+/// elements' stresses and the nodes' means, of elements of the same material each, over that of the solution
+/// (ZienkiewiczZhu1987). `nodal` are the means over all elements.
 struct DiscretisationError {
     double whole = 0;
     std::vector<double> of_tets;  ///< each one's part; the sum of their squares is the square of the whole
 };
 DiscretisationError discretisation_error(const StaticsModel& model, const std::vector<InnerStress>& inside,
-                                         const std::vector<Stress>& nodal, RunContext& context);
+                                         const std::vector<Stress>& nodal, const TetsOfNodes& around,
+                                         RunContext& context);
 /// The same of displacements, (n,3) mm.
 DiscretisationError discretisation_error(const StaticsModel& model, std::span<const double> displacements,
                                          RunContext& context);

@@ -148,6 +148,30 @@ TEST_CASE("the error of the mesh is that of its tets, whoever asks for it, and o
     }
 }
 
+TEST_CASE("where materials meet stresses jump, and that is no error of the mesh") {
+    NEEDS_SOLVER();
+    for (const int order : {1, 2}) {
+        Mesh mesh = box_mesh(4);
+        mesh.order = order;
+        if (order == 2) add_mid_side_nodes(mesh);
+        StaticsModel model = free_model(mesh, {210000, 0, 0});
+        model.materials.push_back({70000, 0, 0});
+        for (std::size_t t = 0; t < mesh.tets.size(); ++t) {
+            double height = 0;
+            for (const NodeId n : mesh.tets[t]) height += mesh.points[n.index()].z / 4;
+            model.tet_materials[t] = height > 0.5;
+        }
+        for (std::size_t n = 0; n < mesh.node_count(); ++n)
+            if (is_on_boundary(mesh.points[n])) {
+                for (std::size_t c = 0; c < 3; ++c) model.is_held[3 * n + c] = 1;
+                model.given[3 * n] = 1e-3 * mesh.points[n].x;
+            }
+        const StaticsSolution solution = solved(model);
+        CHECK(solution.strain_energy == Approx((210000 + 70000) / 4 * 1e-6).epsilon(1e-6));
+        CHECK(solution.discretisation_error < 1e-5);
+    }
+}
+
 TEST_CASE("self weight stretches a hanging bar by its own formula") {
     NEEDS_SOLVER();
     const double density = 7.85e-9, gravity = 9806, height = 100;
