@@ -69,6 +69,7 @@ class CommandLine(unittest.TestCase):
         for text in ("2.5", "2.5mm", " 2.5 mm"):
             self.assertEqual(parse(["mesh", "part.FCStd", "--size", text, "--ignore-below", text]).size, 2.5)
             self.assertEqual(parse(["mesh", "part.FCStd", "--ignore-below", text]).ignore_below, 2.5)
+            self.assertEqual(parse(["solve", "part.FCStd", "--accuracy", text.replace("mm", "%")]).accuracy, 0.025)
 
     def test_what_cannot_be_written_is_refused_before_the_work(self):
         with mock.patch.object(commands.os, "access", lambda path, mode: False), mock.patch.object(commands, "set_up", self.fail):
@@ -104,7 +105,7 @@ class CommandLine(unittest.TestCase):
                       ("update", "no_such.FCStd", "--set", "A.B=1"), ("diff", __file__), ("export", __file__, "out.vtu"),
                       ("mesh", __file__, "--out", "no/such/folder/out.FCStd"), ("mesh", __file__, "--out", str(ROOT)), ("mesh", __file__, "--json", "."),
                       ("mesh", str(ROOT)), ("mesh", __file__, "--size", "2,5"), ("study", "run", __file__, "--size", "2 m"), ("demo", "--out", __file__),
-                      ("mesh", __file__, "--ignore-below", "little"), ("mesh", __file__, "--ignore-below", "0"),
+                      ("mesh", __file__, "--ignore-below", "little"), ("mesh", __file__, "--ignore-below", "0"), ("solve", __file__, "--accuracy", "100 %"),
                       ("test", "--freecad", "0.12"), ("bench", "--documents", __file__), ("bench", "--documents", "no/such/folder"),
                       ("bench", "--documents", str(ROOT), "--divisor", "0"), ("bench", "--documents", str(ROOT), "--edits", "-1"), ("nothing",)):
             with self.subTest(words=words):
