@@ -3,6 +3,7 @@
 import os
 import sys
 import unittest
+from unittest import mock
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import FreeCAD  # noqa: E402
@@ -33,6 +34,18 @@ def refine(shown, live):
     return percent(shown)
 
 
+def check_memory(shown, mesh):
+    """Who wants no mesh for which there is no memory has all as it was."""
+    from freecad.featuremesh.gui import message_box
+    from freecad.featuremesh.study import memory
+    steps = list(mesh.Document.UndoNames)
+    with mock.patch.object(memory, "available_bytes", lambda: 1e6), mock.patch.object(message_box, "answer", return_value=None) as asked:
+        click(shown.finer)
+        spin()
+    assert "million elements need about" in asked.call_args.args[1], asked.call_args
+    assert not mesh.MeshRegionList and mesh.Document.UndoNames == steps and shown.finer.isEnabled(), (mesh.MeshRegionList, mesh.Document.UndoNames)
+
+
 def drive():
     from freecad.featuremesh import api, engine, error_sizes
     from parts import plate_with_hole
@@ -58,6 +71,7 @@ def drive():
     type_into(shown.accuracy, "%.1f" % (before / 2))
     spin()
     assert shown.finer.isEnabled()
+    check_memory(shown, mesh)
     picture("accuracy_before")
     after = refine(shown, live)
     assert after < 0.85 * before and mesh.TetCount > coarse, (before, after, coarse, mesh.TetCount)

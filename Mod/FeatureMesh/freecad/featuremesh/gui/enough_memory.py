@@ -18,9 +18,13 @@ _BYTES = {"1st": 0.9e3, "2nd": 2.3e3}
 def or_all_the_same(mesh):
     """Is there enough for the mesh with its settings, or does the user want it all the same?"""
     part = versions.part_of(mesh)
-    if reading.filled_with(part, mesh.Dimension) != "Solids" or not os.path.exists("/proc/meminfo"):   # only Linux tells there
+    return reading.filled_with(part, mesh.Dimension) != "Solids" or for_tets(mesh, too_fine.least_tets(part.Shape, mesh.Size.Value))
+
+
+def for_tets(mesh, count):
+    """The same of so many elements."""
+    if not os.path.exists("/proc/meminfo"):   # only Linux tells there
         return True
-    count = too_fine.least_tets(part.Shape, mesh.Size.Value)
     needed, available = _BYTES[mesh.Order] * count, memory.available_bytes()
     is_refused_anyway = count > too_fine.MOST
     return needed < available or is_refused_anyway or _ask(mesh, count, needed, available)

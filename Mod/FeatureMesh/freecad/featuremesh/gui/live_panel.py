@@ -14,7 +14,7 @@ from ..errors import UserError
 from ..mesh_properties import status_in_words
 from ..messages import said
 from ..user_words import figure, in_words
-from . import live_runner, narrow, recording, wheel
+from . import enough_memory, live_runner, narrow, recording, wheel
 from .closes_with_object import ClosesWithObject
 from .cut_box import CutBox
 from .undo import undo_step
@@ -222,14 +222,20 @@ class LivePanel(ClosesWithObject):
         self.refresh()
 
     def _refine(self):
+        asked = self.live.Proxy.analysis(self.live), self.accuracy.value() / 100
         try:
             with undo_step(self._document, self.finer.text()):
-                recording.run(api.refine_by_error, self.live.Proxy.analysis(self.live), self.accuracy.value() / 100)
+                tets = api.refine_by_error(*asked)["tets"]
+                if not enough_memory.for_tets(self.live.Proxy.mesh(self.live), tets):
+                    raise _NotWanted
                 self._document.recompute()
-            recording.recomputed(self._document)
+        except _NotWanted:
+            return
         except (UserError, RuntimeError) as error:
             self.status.setText(user_words.as_sentence(messages.of_error(error)))
             return
+        recording.tell(api.refine_by_error, *asked)
+        recording.recomputed(self._document)
         self.refresh()
 
     def _follow(self, live, name):
@@ -246,6 +252,10 @@ class LivePanel(ClosesWithObject):
             live_runner.followers.remove(self._follow_run)
             self.unwatch()
             self._later.stop()
+
+
+class _NotWanted(Exception):
+    """A mesh that there is no memory for."""
 
 
 def _decimals_of(value):
