@@ -141,7 +141,9 @@ class Accuracy(unittest.TestCase):
 
     def test_what_cannot_be_refined_is_said_and_nothing_is_left_in_the_document(self):
         mesh = self.mesh()
-        for accuracy, result in ((0.05, False), (2, True), (float("nan"), True)):
+        for call in (api.refine_by_error, api.solve_to):
+            self.assertRaises(UserError, call, mesh, 0.05)   # it is no analysis
+        for accuracy, result in ((0.05, False), (2, True), (float("nan"), True), ("5 %", True)):
             if result:
                 api.solve_analysis(self.analysis, "live")
             with self.assertRaises(UserError) as raised:

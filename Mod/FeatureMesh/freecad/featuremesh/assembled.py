@@ -16,7 +16,7 @@ import Part
 from . import reading, versions
 from .errors import FailedUpdate, UserError
 from .messages import of_error, said
-from .proxies import HIDDEN, Stateless, add_missing
+from .proxies import HIDDEN, GetsReady, add_missing
 from .user_words import in_words
 
 translate = FreeCAD.Qt.translate
@@ -35,14 +35,10 @@ _ENDLESS = 1e99   # mm, of what has no end
 on_ready = []
 
 
-class AssembledParts(Stateless):
+class AssembledParts(GetsReady):
     """Proxy of the object. Its class path is stored in documents and never changes; reading.py and the engine know the class by its name."""
 
     Type = "Part::FeatureMeshAssembledParts"
-
-    def __init__(self, obj):
-        obj.Proxy = self
-        self._get_ready(obj)
 
     def execute(self, obj):
         """Called by recompute."""
@@ -66,9 +62,6 @@ class AssembledParts(Stateless):
             shapes = joined(parts, shapes)
         obj.Shape = Part.makeCompound(shapes)
         obj.Joints = joints_in(parts, obj.Shape) if obj.Join else []
-
-    def onDocumentRestored(self, obj):
-        self._get_ready(obj)
 
     def _get_ready(self, obj):
         add_missing(obj, PROPERTIES, hidden=("Places",))

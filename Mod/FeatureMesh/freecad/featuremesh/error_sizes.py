@@ -10,7 +10,7 @@ import FreeCAD
 import numpy as np
 
 from . import versions
-from .proxies import Stateless, add_missing
+from .proxies import GetsReady, add_missing
 
 translate = FreeCAD.Qt.translate
 
@@ -34,20 +34,13 @@ _HALVINGS = 60           # of the interval in which the answer is looked for
 on_ready = []
 
 
-class ErrorSizes(Stateless):
+class ErrorSizes(GetsReady):
     """Proxy of the object. Its class path is stored in documents and never changes."""
 
     Type = "Fem::FeatureMeshErrorSizes"
 
-    def __init__(self, obj):
-        obj.Proxy = self
-        self._get_ready(obj)
-
     def execute(self, obj):
         """The mesh reads it."""
-
-    def onDocumentRestored(self, obj):
-        self._get_ready(obj)
 
     def _get_ready(self, obj):
         add_missing(obj, PROPERTIES, hidden=_HIDDEN)

@@ -25,6 +25,21 @@ class Stateless:
         self.loads(saved)
 
 
+class GetsReady(Stateless):
+    """The proxy of an object that `_get_ready` gives what it needs, when it is made and when a document is opened."""
+
+    def __init__(self, obj):
+        obj.Proxy = self
+        self._get_ready(obj)
+
+    def onDocumentRestored(self, obj):
+        """Called by FreeCAD."""
+        self._get_ready(obj)
+
+    def _get_ready(self, obj):
+        raise NotImplementedError
+
+
 class View(Stateless):
     """The proxy of a view of ours."""
 

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes a mesh finer where its result is off, as far as is asked for."""
 
+import numbers
 import os
 
 import numpy as np
 
-from . import engine, error_sizes, statics, statics_model, statics_result
+from . import analyses, engine, error_sizes, statics, statics_model, statics_result
 from .errors import UserError
 from .messages import said
 from .reading import describe
@@ -23,11 +24,11 @@ def refine_by_error(analysis, accuracy=0.05):
     Returns {"mesh_error": the present one, "places": how many were added, "tets": about how many the mesh will have}; where the error is small enough nothing is
     asked for. It is a document object, to be suppressed or deleted. Throws UserError where there is no live result of the mesh as it is.
     """
-    _refuse_no_share(accuracy)
+    _refuse(analysis, accuracy)
     mesh = statics.mesh_of(analysis)
     arrays = mesh.Proxy.arrays(mesh)
-    numbers, displacements = statics_result.last_displacements(analysis) or ((), None)
-    if not np.array_equal(numbers, arrays["node_numbers"]):
+    nodes, displacements = statics_result.last_displacements(analysis) or ((), None)
+    if not np.array_equal(nodes, arrays["node_numbers"]):
         raise UserError(said("there is no live result of {mesh:text} as it is; solve first", mesh=describe(mesh)))
     model = statics_model.prepared(analysis, mesh, arrays)
     of_tets = engine.load().statics_error(arrays, model.materials, model.tet_materials, displacements, mesh.Threads or os.cpu_count() or 1)
@@ -45,7 +46,7 @@ def solve_to(analysis, accuracy=0.05, threads=0, progress=None):
     the last solution as solve_analysis gives it, with `rounds`: of each mesh its elements, its mesh_error and the share of its nodes that were kept. Throws UserError.
     """
     from . import api   # which has this function, too
-    _refuse_no_share(accuracy)
+    _refuse(analysis, accuracy)
     mesh = statics.mesh_of(analysis)
     rounds, kept = [], None
     while True:
@@ -67,6 +68,7 @@ def _is_in_vain(before, after=None):
     return after is not None and after["elements"] > _MANY * before["elements"] and after["mesh_error"] > _LITTLE * before["mesh_error"]
 
 
-def _refuse_no_share(accuracy):
-    if not 0 < accuracy < 1:
+def _refuse(analysis, accuracy):
+    analyses.refuse_other(analysis)
+    if not isinstance(accuracy, numbers.Real) or not 0 < accuracy < 1:
         raise UserError(said("the accuracy is a share between 0 and 1, such as 0.05, not {accuracy:text}", accuracy=str(accuracy)))

@@ -10,7 +10,7 @@ import math
 import FreeCAD
 
 from . import versions
-from .proxies import HIDDEN, Stateless, add_missing, type_of
+from .proxies import HIDDEN, GetsReady, add_missing, type_of
 
 translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
@@ -40,14 +40,10 @@ _RING = 48   # pieces of a drawn circle
 on_ready = []
 
 
-class SizeZone(Stateless):
+class SizeZone(GetsReady):
     """Proxy of the object. Its class path is stored in documents and never changes."""
 
     Type = "Fem::FeatureMeshSizeZone"
-
-    def __init__(self, zone):
-        zone.Proxy = self
-        self._get_ready(zone)
 
     def execute(self, zone):
         """The mesh reads it."""
@@ -56,9 +52,6 @@ class SizeZone(Stateless):
         """Called by FreeCAD when a property was set: shows those of the kind alone."""
         if name == "Kind" and "Suppressed" in zone.PropertiesList:   # the last one that is added
             self._show_measures(zone)
-
-    def onDocumentRestored(self, zone):
-        self._get_ready(zone)
 
     def _get_ready(self, zone):
         add_missing(zone, PROPERTIES)

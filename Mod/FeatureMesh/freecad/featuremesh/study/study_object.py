@@ -10,7 +10,7 @@ import FreeCAD
 from .. import api, documents, edits, engine, preferences, resolving, solvers, statics, statics_model, versions
 from ..errors import UserError
 from ..messages import said
-from ..proxies import Stateless, add_missing
+from ..proxies import GetsReady, add_missing
 from ..reading import describe, refuse_unmeshable
 from . import dimensions, places, study_file, window_run
 from .design import COUNTED, SAMPLINGS, Study, check, parse_parameter, read_toml
@@ -44,20 +44,13 @@ PROPERTIES = [
 ]
 
 
-class StudyObject(Stateless):
+class StudyObject(GetsReady):
     """Proxy of the object. Its class path is stored in documents and never changes."""
 
     Type = "FeatureMesh::Study"
 
-    def __init__(self, obj):
-        obj.Proxy = self
-        self._get_ready(obj)
-
     def execute(self, obj):
         """Nothing follows a study."""
-
-    def onDocumentRestored(self, obj):
-        self._get_ready(obj)
 
     def onChanged(self, obj, name):
         if name in ("Part", "Responses") and not (FreeCAD.isRestoring() or obj.Document.Transacting):
