@@ -70,6 +70,15 @@ Message why_not_valid(const Mesh& mesh, const std::vector<Message>& broken) {
     return say<Code::edges_beside_nothing>(edges_beside_nothing(mesh));
 }
 
+/// Triangles that lie the wrong way round are no mesh, and ask for shorter edges.
+void refuse_turned(const Brep& brep, const Mesh& mesh, const std::vector<char>& is_unproven, Attempt& attempt,
+                   RunContext& context) {
+    const std::vector<TriangleId> turned = turned_triangles(brep, mesh, is_unproven, context);
+    if (turned.empty()) return;
+    attempt.request = for_triangles(mesh, turned, SizeReason::cannot_follow);
+    attempt.refusal = turned_over(mesh, turned);
+}
+
 /// Asks for other lengths where that may help; says what is wrong where the mesh is not valid.
 void validate(const Mesh& mesh, const Brep& brep, Kept kept, std::size_t first_new_tet,
               const std::vector<std::array<NodeId, 4>>& released, Attempt& attempt, RunContext& context) {
@@ -80,14 +89,10 @@ void validate(const Mesh& mesh, const Brep& brep, Kept kept, std::size_t first_n
     if (broken.size() == 1)
         if (const std::vector<SolidId> off = solids_off_volume(mesh, brep, expected.volume_tolerance); !off.empty())
             attempt.request = for_volume_of(mesh, brep, off.front());
-    if (!broken.empty()) {
+    if (!broken.empty())
         attempt.refusal = why_not_valid(mesh, broken);
-        return;
-    }
-    const std::vector<TriangleId> turned = turned_triangles(brep, mesh, expected.is_unproven, context);
-    if (turned.empty()) return;
-    attempt.request = for_triangles(mesh, turned, SizeReason::cannot_follow);
-    attempt.refusal = turned_over(mesh, turned);
+    else
+        refuse_turned(brep, mesh, expected.is_unproven, attempt, context);
 }
 
 /// Nodes of new triangles belong to it, too.
@@ -279,6 +284,10 @@ class SizeLoop {
             attempt.may_be_halved = surface.report.may_be_halved;
             is_spent_ = may_be_last && !may_divide_otherwise(attempt);
             if (may_be_last && !is_spent_) kept_.mesh = taken_back(surface);
+            std::vector<char> is_unproven = kept_.is_rim;
+            if (!is_unproven.empty()) is_unproven.resize(surface.mesh.points.size(), 1);
+            refuse_turned(brep_, surface.mesh, is_unproven, attempt, context_);  // before tets are made in vain
+            if (!attempt.refusal.empty()) return;
             const auto finish = brep_.dimension() == Dimension::solids ? fill_volume : take_surface;
             finish(brep_, field_, std::move(surface), is_spent_ ? std::move(kept_) : kept_, options_, attempt,
                    context_);
