@@ -28,7 +28,7 @@ namespace {
 struct Attempt {
     std::optional<Filled> filled;
     std::optional<Filled> stand_in;  ///< refused as folded: the same mesh with straight sides there
-    double smallest_jacobian = 1;    ///< scaled, of 10-node tetrahedra
+    double smallest_jacobian = 1;    ///< as in Filled
     Message refusal;
     SizeRequest request;
     bool has_narrow_faces = false;  ///< whose edges may be divided in another way
@@ -298,13 +298,13 @@ class SizeLoop {
     /// Of the fillings whose 10-node tetrahedra are valid the better one counts.
     void offer(Attempt& attempt) {
         ++valid_;
-        if (!best_ || attempt.smallest_jacobian > best_jacobian_) take(attempt);
+        if (!best_ || attempt.smallest_jacobian > best_->smallest_jacobian) take(attempt);
     }
 
     void take(Attempt& attempt) {
         best_ = std::move(attempt.filled);
         best_->shorter = shorter_;
-        best_jacobian_ = attempt.smallest_jacobian;
+        best_->smallest_jacobian = attempt.smallest_jacobian;
         for (const std::vector<Entity>& place : places_)
             best_->surface.warnings.push_back(say<Code::finer_to_follow>(place));
         const bool has_tets = brep_.dimension() == Dimension::solids;
@@ -447,7 +447,6 @@ class SizeLoop {
     std::size_t first_of_last_ = 0;
     int failures_ = 0, valid_ = 0, thin_rounds_ = 0;
     std::optional<Filled> best_, stand_in_;
-    double best_jacobian_ = 0;
     std::size_t fewest_straight_ = 0;  ///< sides, of the last round that gained
     std::size_t rounds_in_vain_ = 0;
 };

@@ -44,6 +44,7 @@ struct Filled {
     /// Why some sides of 10-node tets are straight on a curved face (StraightSides); empty where none are.
     Message why_straight = {};
     std::size_t straight_sides = 0;  ///< on the shape, but straight
+    double smallest_jacobian = 1;    ///< scaled, of new 10-node elements, where some miss the aim
 };
 
 /// What to fill a full mesh from.

@@ -189,6 +189,7 @@ class AngleMender {
         options_.sizing.refines_narrow_faces = filled.refines_narrow_faces;
         options_.volume.smallest_asked = filled.sizing->smallest();
         options_.volume.moves_kept_nodes = true;
+        options_.volume.looks_ahead_beside_kept = !origin;
         sources_.insert(sources_.end(), filled.shorter.begin(), filled.shorter.end());
         if (origin) first_tets_ = std::size_t(std::count(origin->elements.begin(), origin->elements.end(), -1));
         filled_tets_ = first_tets_;
@@ -276,7 +277,9 @@ class AngleMender {
 
     /// None where it is no mesh that may be taken.
     std::optional<std::vector<SmallTet>> small_tets_of(const Filled& again, const MeshOrigin* origin) const {
-        if (!again.why_straight.empty() || double(again.mesh.tets.size()) > most_tets_) return std::nullopt;
+        if (!again.why_straight.empty() || again.smallest_jacobian < filled_.smallest_jacobian ||
+            double(again.mesh.tets.size()) > most_tets_)
+            return std::nullopt;
         return small_tets(again.mesh, origin);
     }
 

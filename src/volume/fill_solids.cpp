@@ -191,7 +191,7 @@ class Filling {
             note(improve(mesh, all_and_shapes, list_of(vertex_move(mesh, all_and_shapes)), {},
                          {.passes = passes_at_the_end}, context_),
                  context_);
-        if (!region.has_interface())
+        if (options_.looks_ahead_beside_kept || !region.has_interface())
             note(improve(mesh, all, list_of(lookahead(mesh, all, context_)), {}, with_lookaheads(region.complex),
                          context_),
                  context_);

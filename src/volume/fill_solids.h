@@ -23,8 +23,7 @@ struct VolumeOptions {
     double target_dihedral_deg = 30;  ///< sliver removal works on tets below it (and above 180 minus it)
     int odt_sweeps = 3;               ///< over the nodes that gain
     bool splits_wall_tets = false;    ///< no tet is left whose corners all lie on two opposite walls
-    bool is_for_curved_tets =
-        false;  ///< the tets will follow curved faces, so nodes there stay where the surface has them
+    bool is_for_curved_tets = false;  ///< the tets will follow curved faces, so nodes stay where the surface bends much
     bool moves_surface_nodes = true;  ///< new ones, for tets that nodes inside cannot help (boundary_moves.h)
     /// Smallest length that is asked for, mm, where the sizing has shorter ones for the mesher's own sake: these are no
     /// reason for smaller tets than are allowed otherwise.
@@ -32,6 +31,7 @@ struct VolumeOptions {
     /// Those inside, at an interface, where poor shapes gain much by that (relax_interfaces), and those of a surface
     /// that stay without a tet, for the worst angles there.
     bool moves_kept_nodes = false;
+    bool looks_ahead_beside_kept = false;  ///< as everywhere in a full mesh
     /// Tets with next to no volume are no reason to refuse a part, where none is flat: a warning names them.
     bool takes_thin_tets = false;
     bool operator==(const VolumeOptions&) const = default;

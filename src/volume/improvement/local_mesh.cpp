@@ -172,11 +172,11 @@ bool LocalMesh::keeps_volume(int vertex, const Star& star, const Vec3& to) const
 
 bool LocalMesh::is_held(int vertex, const Star& star) const {
     if (!surface_.is_for_curved_tets || !is_on_surface(vertex)) return false;
-    constexpr double flat_cosine = 0.9999;
-    std::vector<Vec3> normals;  // one of a plane, two at an edge
+    constexpr double most_bent_cosine = 0.5;
+    std::vector<Vec3> normals;  // one of a face, two at an edge
     for (const RimTriangle& of : star.rim)
         if (std::none_of(normals.begin(), normals.end(),
-                         [&](const Vec3& n) { return dot(n, of.normal) > flat_cosine; }))
+                         [&](const Vec3& n) { return dot(n, of.normal) > most_bent_cosine; }))
             normals.push_back(of.normal);
     return normals.size() > (surface_vertex(vertex)->on.dim == 1 ? 2u : 1u);
 }

@@ -31,7 +31,7 @@ struct SurfaceVertex {
 struct MovableSurface {
     std::vector<SurfaceVertex> vertices{};
     const Projector* projector = nullptr;
-    /// The tets will follow the surface. Where it is curved no vertex moves: other sides may fold such tets.
+    /// The tets will follow the surface. Where it bends much no vertex moves: other sides may fold such tets.
     bool is_for_curved_tets = false;
 };
 
@@ -76,7 +76,8 @@ class LocalMesh {
     static bool keeps_triangles(const Star& star, const Vec3& to);
     /// The star's volume stays within half a percent: on a curved face other triangles cut off more of it, or less.
     bool keeps_volume(int vertex, const Star& star, const Vec3& to) const;
-    /// The vertex stays where it is, for the sake of tets that will follow a curved face.
+    /// The vertex stays where it is, for the sake of tets that will follow a face: triangles of the star on one face
+    /// lie at more than 60 degrees to one another.
     bool is_held(int vertex, const Star& star) const;
 
     /// Makes the change. Gives the tets that are new or bent, until the next call.

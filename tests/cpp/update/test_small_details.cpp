@@ -287,7 +287,7 @@ TEST_CASE("a bore that leaves a wall thinner than the sides of 10-node elements 
             .cut("Part", "Block", "Bore")
             .finish();
     };
-    const PartMeshResult result = meshed(bored(0.01), options_of(3, 2));
+    const PartMeshResult result = meshed(bored(0.02), options_of(3, 2));
     check_valid(*result.part_mesh);
     REQUIRE_FALSE(result.report.rounds.empty());
     CHECK(result.report.rounds[0].reason == "folded");

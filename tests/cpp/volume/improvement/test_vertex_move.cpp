@@ -131,6 +131,20 @@ TEST_CASE("only the vertices given move, and none where no tet is bad") {
     CHECK(box.complex.points == bad.points);
 }
 
+TEST_CASE("for tets that will follow a face a vertex stays where that bends by more than 60 degrees, only there") {
+    FixedBox box;
+    const int vertex = FixedBox::vertex_at(2, 2, 0);
+    const std::vector<SurfaceVertex> vertices{box.on_nearest_face(vertex)};
+    const auto [height, is_bent] = GENERATE(table<double, bool>({{0, false}, {-0.3, false}, {-1.5, true}}));
+    box.complex.points[vertex].z += height;
+    LocalMesh::Star star;
+    for (const bool is_for_curved_tets : {false, true}) {
+        const LocalMesh mesh(box.complex, {vertices, &box.projector, is_for_curved_tets});
+        REQUIRE(mesh.gather(vertex, star));
+        CHECK(mesh.is_held(vertex, star) == (is_for_curved_tets && is_bent));
+    }
+}
+
 TEST_CASE("moves on the boundary can be cancelled") {
     FixedBox box;
     const int vertex = FixedBox::vertex_at(2, 2, 0);
