@@ -11,10 +11,13 @@ import numpy as np
 import ObjectsFem
 import Part
 from analyses import add_material, add_solver, quantity, solve
+from femmesh.meshsetsgetter import MeshSetsGetter
+from femtools.membertools import AnalysisMember
 from freecad.featuremesh import api, export, mesh_object, overlays
 from freecad.featuremesh.errors import UserError
 from parts import groups_of, new_document, plate_with_hole
 from remeshed_examples import STEEL, WITHIN, RemeshedExamples
+from test_references import names_of
 
 
 def line(document, length=200.0):
@@ -73,6 +76,43 @@ class BeamMeshes(unittest.TestCase):
         document.recompute()
         self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
         self.assertEqual([load.References for load in loads], [[(frame, ("Edge%d" % number,))] for number in range(1, 5)])
+
+    def test_a_load_on_a_line_that_is_deleted(self):
+        """The only line that is left was the other one."""
+        document = new_document()
+        frame = document.addObject("Part::Feature", "Frame")
+        frame.Shape = Part.makePolygon([(0, 0, 0), (0, 0, 30), (20, 0, 40)])
+        mesh = api.add_mesh(frame, 5, 1)
+        analysis = ObjectsFem.makeAnalysis(document)
+        analysis.addObject(mesh)
+        deleted, stayed = (ObjectsFem.makeConstraintForce(document, name) for name in ("Deleted", "Stayed"))
+        for number, load in enumerate((deleted, stayed), 1):
+            load.References = [(frame, "Edge%d" % number)]
+            analysis.addObject(load)
+        document.recompute()
+        frame.Shape = Part.makePolygon([(0, 0, 30), (20, 0, 40)])
+        document.recompute()
+        self.assertEqual((names_of(deleted), deleted.LostReferences), ([], ["Edge1"]))
+        self.assertEqual(names_of(stayed), [("Frame", "Edge1")])
+
+    def test_a_beam_between_two_of_another_section(self):
+        """Its nodes are theirs."""
+        document = new_document()
+        frame = document.addObject("Part::Feature", "Frame")
+        frame.Shape = Part.makePolygon([(0, 0, 0), (30, 0, 0), (30, 10, 0), (60, 10, 0)])
+        mesh = api.add_mesh(frame, 10, 1)
+        analysis = ObjectsFem.makeAnalysis(document)
+        analysis.addObject(mesh)
+        add_solver(document, analysis)
+        add_material(document, analysis, "Steel", STEEL)
+        for kind, names in (("Circular", ["Edge1", "Edge3"]), ("Rectangular", ["Edge2"])):
+            section = ObjectsFem.makeElementGeometry1D(document, kind, name=kind)
+            section.References = [(frame, names)]
+            analysis.addObject(section)
+        document.recompute()
+        getter = MeshSetsGetter(analysis, analysis.Group[1], mesh, AnalysisMember(analysis))
+        getter.get_element_geometry1D_elements()
+        self.assertEqual({entry["Object"].Name: len(entry["FEMElements"]) for entry in getter.member.geos_beamsection}, {"Circular": 6, "Rectangular": 1})
 
     def test_the_edges_of_a_body_as_asked(self):
         document = new_document()

@@ -45,16 +45,18 @@ class Numbering:
             return ["Solid%d" % (i + 1) for i in self._solids_now(index)]
         images = [self._became.get(face, set()) for face in old_faces[index]]
         found = [i for i, around in enumerate(new_faces) if len(around) == len(images) and all(image & around for image in images)]
-        if len(found) != 1:
-            tolerance = _SAME_PLACE * self._new_shape.BoundBox.DiagonalLength
+        alike = [i for i, around in enumerate(old_faces) if around == old_faces[index]]
+        tolerance = _SAME_PLACE * self._new_shape.BoundBox.DiagonalLength
+        others = [olds[i] for i in alike if i != index]
+        is_sure = len(found) == 1 and (len(images) > 1 or not others) and not any(_same_place(other, news[found[0]], tolerance) for other in others)
+        if not is_sure:
             staying = [i for i in found or range(len(news)) if _same_place(olds[index], news[i], tolerance)]
-            alike = [i for i, around in enumerate(old_faces) if around == old_faces[index]]
             if kind == "Edge" and not staying:
                 pieces = _pieces(index, alike, found, olds, news, tolerance)
                 if pieces:
                     return ["%s%d" % (kind, i + 1) for i in pieces]
                 alike, found = _left(index, alike, found, olds, news, tolerance) if len(alike) != len(found) else (alike, found)
-            is_choice = len(staying) != 1 and len(alike) == len(found)
+            is_choice = len(staying) != 1 and 0 < len(alike) == len(found)
             found = self._lying_alike(index, alike, found, olds, news) if is_choice else staying
         return ["%s%d" % (kind, found[0] + 1)] if len(found) == 1 else []
 
