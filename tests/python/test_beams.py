@@ -77,23 +77,41 @@ class BeamMeshes(unittest.TestCase):
         self.assertEqual(mesh.Status, mesh_object.UP_TO_DATE)
         self.assertEqual([load.References for load in loads], [[(frame, ("Edge%d" % number,))] for number in range(1, 5)])
 
-    def test_a_load_on_a_line_that_is_deleted(self):
-        """The only line that is left was the other one."""
+    def loads_on(self, names, shape):
+        """A frame of that shape with a mesh and a load on each of its sub-elements, by name."""
         document = new_document()
         frame = document.addObject("Part::Feature", "Frame")
-        frame.Shape = Part.makePolygon([(0, 0, 0), (0, 0, 30), (20, 0, 40)])
+        frame.Shape = shape
         mesh = api.add_mesh(frame, 5, 1)
         analysis = ObjectsFem.makeAnalysis(document)
         analysis.addObject(mesh)
-        deleted, stayed = (ObjectsFem.makeConstraintForce(document, name) for name in ("Deleted", "Stayed"))
-        for number, load in enumerate((deleted, stayed), 1):
-            load.References = [(frame, "Edge%d" % number)]
+        loads = {name: ObjectsFem.makeConstraintForce(document, "On" + name) for name in names}
+        for name, load in loads.items():
+            load.References = [(frame, name)]
             analysis.addObject(load)
         document.recompute()
-        frame.Shape = Part.makePolygon([(0, 0, 30), (20, 0, 40)])
-        document.recompute()
-        self.assertEqual((names_of(deleted), deleted.LostReferences), ([], ["Edge1"]))
-        self.assertEqual(names_of(stayed), [("Frame", "Edge1")])
+        return frame, loads
+
+    def check(self, frame, loads, shape, now):
+        frame.Shape = shape
+        frame.Document.recompute()
+        self.assertEqual({name: [sub for _, sub in names_of(load)] for name, load in loads.items()}, now)
+
+    def test_a_line_is_deleted_and_another_one_drawn(self):
+        """The other line is no stranger's, and the new one not the one that was there."""
+        frame, loads = self.loads_on(["Edge1", "Edge2", "Vertex1"], Part.makePolygon([(0, 0, 0), (0, 0, 30), (20, 0, 40)]))
+        self.check(frame, loads, Part.makePolygon([(0, 0, 30), (20, 0, 40)]), {"Edge1": [], "Edge2": ["Edge1"], "Vertex1": []})
+        self.assertEqual(loads["Edge1"].LostReferences, ["Edge1"])
+        self.check(frame, loads, Part.makePolygon([(0, 0, 30), (20, 0, 40), (33, 0, 40)]), {"Edge1": [], "Edge2": ["Edge1"], "Vertex1": []})
+
+    def test_one_of_two_wires_is_moved_and_turned(self):
+        points = [(40, 0, 0), (60, 0, 0), (70, 0, 20), (75, 0, 50)]
+        moved = [(40, 9, 0), (40, 29, 0), (40, 39, 20), (40, 44, 50)]
+        other = Part.makePolygon([(0, 0, 0), (0, 0, 30), (20, 0, 40)])
+        names = ["Edge1", "Edge3", "Edge4", "Edge5", "Vertex3", "Vertex4", "Vertex5", "Vertex7"]
+        frame, loads = self.loads_on(names, Part.makeCompound([other, Part.makePolygon(points)]))
+        self.check(frame, loads, Part.makeCompound([other, Part.makePolygon(moved)]), {name: [name] for name in names})
+        self.check(frame, loads, Part.makeCompound([other, Part.makePolygon([*moved, (40, 60, 60)])]), {name: [name] for name in names})
 
     def test_a_beam_between_two_of_another_section(self):
         """Its nodes are theirs."""

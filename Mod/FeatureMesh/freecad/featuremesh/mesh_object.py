@@ -483,11 +483,12 @@ class FeatureMesh(Stateless):
         part, record, lines = versions.part_of(mesh), self._record(mesh), []
         resolver, numberings = Resolver(part, raw), {}
 
-        def numbering_from(then):
-            if id(then) not in numberings:
-                numberings[id(then)] = Numbering(faces() if then is self._raw else engine.load().followed_faces(then, raw),
-                                                 lambda: shape_of_record(then), part.Shape)
-            return numberings[id(then)]
+        def numbering_from(then, is_return=True):
+            key = id(then), is_return
+            if key not in numberings:
+                numberings[key] = Numbering(faces() if then is self._raw else engine.load().followed_faces(then, raw),
+                                            lambda: shape_of_record(then), part.Shape, is_return)
+            return numberings[key]
         self._following = True
         try:
             for obj in objects:
@@ -500,7 +501,7 @@ class FeatureMesh(Stateless):
                     lines.append(said("{object:text} could not be followed from the last mesh, whose state is gone; check what it refers to",
                                       object=obj.Label))
                     continue
-                said_of_it, lost = references.follow(obj, known, resolver, numbering_from(then))
+                said_of_it, lost = references.follow(obj, known, resolver, numbering_from(then, is_return=False))
                 lines += said_of_it + self._lost.bring_back(obj, resolver, numbering_from)
                 self._lost.note(obj, then, lost)
         finally:

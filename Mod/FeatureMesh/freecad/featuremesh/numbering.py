@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the faces, edges, vertices and solids of a part are called after an edit.
 
-Faces are followed by the engine. An edge is known by the faces that meet in it, a vertex likewise, a solid by the faces around
-it; where these leave a choice, the one that has not moved is meant, or what lies on the line or circle of an edge (which may be split, and longer), or
-else the one that lies among the others as it did (of a sheet's free edges, which have the same one face).
+Faces are followed by the engine. An edge is known by the faces that meet in it, a vertex likewise (of beams by its edges), a solid by the faces around
+it; where these leave a choice, the one that has not moved is meant, or what lies on the line or circle of an edge (which may be split, and longer), or else of those
+that have moved the one of the same rank where they moved as one, or that lies among them as it did (of a sheet's free edges, which have the same one face).
 """
 
 import re
 from collections import defaultdict
 
+import numpy as np
 import Part
 
 _MEMBERS = {"Edge": "Edges", "Vertex": "Vertexes", "Solid": "Solids"}
@@ -22,10 +23,10 @@ _NEAR = 0.2         # of a sub-element's own diagonal: how far one may have gone
 class Numbering:
     """Names before the edit and after it; `faces` is what engine.followed_faces gives."""
 
-    def __init__(self, faces, old_shape, new_shape):
-        """`old_shape` is a function: it costs time, and is called only for a name that is not a face's."""
+    def __init__(self, faces, old_shape, new_shape, is_return=False):
+        """`old_shape` is a function: it costs time, and is called only for a name that is not a face's. Does it `is_return` to a part of before, of which others may be gone?"""
         self._became, self._was = defaultdict(set), defaultdict(list)
-        self._old_shape, self._new_shape = old_shape, new_shape
+        self._old_shape, self._new_shape, self._is_return = old_shape, new_shape, is_return
         self._around = {}  # kind -> (members before, their faces, members after, their faces)
         for face in faces:
             for name in face["new_faces"]:
@@ -43,14 +44,15 @@ class Numbering:
             return []
         if kind == "Solid":
             return ["Solid%d" % (i + 1) for i in self._solids_now(index)]
-        images = [self._became.get(face, set()) for face in old_faces[index]]
+        images = [set(self.now(face)) for face in old_faces[index]]
         found = [i for i, around in enumerate(new_faces) if len(around) == len(images) and all(image & around for image in images)]
         alike = [i for i, around in enumerate(old_faces) if around == old_faces[index]]
         tolerance = _SAME_PLACE * self._new_shape.BoundBox.DiagonalLength
         others = [olds[i] for i in alike if i != index]
         is_sure = len(found) == 1 and (len(images) > 1 or not others) and not any(_same_place(other, news[found[0]], tolerance) for other in others)
         if not is_sure:
-            staying = [i for i in found or range(len(news)) if _same_place(olds[index], news[i], tolerance)]
+            within = found if self._new_shape.Faces and found else range(len(news))   # another beam may begin at a corner
+            staying = [i for i in within if _same_place(olds[index], news[i], tolerance)]
             if kind == "Edge" and not staying:
                 pieces = _pieces(index, alike, found, olds, news, tolerance)
                 if pieces:
@@ -79,10 +81,22 @@ class Numbering:
         return sorted({*pieces, *best}) if len(best) == 1 else pieces
 
     def _lying_alike(self, index, alike, found, olds, news):
-        """Of as many members after as before, all with the same faces, the one that lies among them as `index` did; none where that leaves a choice."""
-        before, after = _places_among([olds[i] for i in alike]), _places_among([news[i] for i in found])
-        chosen = [min(range(len(found)), key=lambda i, place=place: (after[i] - place).Length) for place in before]
-        return [found[chosen[alike.index(index)]]] if len(set(chosen)) == len(found) else []
+        """Of as many members after as before, all with the same faces, the one of the same rank where those that are not where they were moved as one, else the one that lies
+        among them as `index` did; none where that leaves a choice."""
+        before, after = _measures([olds[i] for i in alike]), _measures([news[i] for i in found])
+        is_same_place = _distances(before, after) <= _SAME_PLACE * self._new_shape.BoundBox.DiagonalLength
+        moved, to = np.flatnonzero(~is_same_place.any(axis=1)), np.flatnonzero(~is_same_place.any(axis=0))
+        if alike.index(index) not in moved or len(moved) != len(to):
+            return []
+        rank = list(moved).index(alike.index(index))
+        if not _are_moved_as_one(before[moved], after[to]):
+            if self._is_return and not self._new_shape.Faces:
+                return []
+            chosen = np.argmin(_distances(_places_among(before[moved]), _places_among(after[to])), axis=1)
+            if len(set(chosen)) != len(to):
+                return []
+            rank = chosen[rank]
+        return [found[to[rank]]]
 
     def was(self, name):
         """Names of the faces before that are in the face `name` now; empty for anything but a face."""
@@ -120,22 +134,37 @@ def _around(shape, members):
     known = defaultdict(list)
     for index, member in enumerate(all_of_kind):
         known[member.hashCode()].append((member, index))
-    for number, face in enumerate(shape.Faces, 1):
-        for member in getattr(face, members):
-            around[_name(member, known)].add("Face%d" % number)
+    above = [("Face%d", shape.Faces)] + ([("Edge%d", shape.Edges)] if members == "Vertexes" and not shape.Faces else [])   # the corners of beams are known by their edges
+    for name, entities in above:
+        for number, entity in enumerate(entities, 1):
+            for member in getattr(entity, members):
+                around[_name(member, known)].add(name % number)
     return all_of_kind, around
+
+
+def _measures(members):
+    """Of edges or vertices: place and length, (n,4) mm."""
+    return np.array([(*member.Point, 0) if member.ShapeType == "Vertex" else (*member.CenterOfMass, member.Length) for member in members])
+
+
+def _distances(before, after):
+    return np.linalg.norm(before[:, None] - after, axis=2)
+
+
+def _are_moved_as_one(before, after):
+    """Are the distances from one another, and the lengths, what they were?"""
+    was, now = (np.column_stack([_distances(measures, measures), measures[:, 3]]) for measures in (before, after))
+    return np.allclose(was, now, rtol=0, atol=_SAME_PLACE * np.max(was))
 
 
 def _name(member, known):
     return next(name for other, name in known[member.hashCode()] if other.isSame(member))
 
 
-def _places_among(members):
+def _places_among(measures):
     """Where each lies among all of them, in shares of how far they reach."""
-    places = [member.Point if member.ShapeType == "Vertex" else member.CenterOfMass for member in members]
-    middle = sum(places[1:], places[0]) * (1 / len(places))
-    reach = max((place - middle).Length for place in places) or 1
-    return [(place - middle) * (1 / reach) for place in places]
+    places = measures[:, :3] - measures[:, :3].mean(axis=0)
+    return places / (np.max(np.linalg.norm(places, axis=1)) or 1)
 
 
 def _pieces(index, alike, found, olds, news, tolerance):
