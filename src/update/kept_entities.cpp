@@ -204,7 +204,7 @@ bool KeptEntities::has_node_inside(std::size_t triangle, FaceId face) const {
     return std::any_of(nodes.begin(), nodes.end(), [&](NodeId n) { return entities_[n.index()] == entity_of(face); });
 }
 
-bool KeptEntities::is_flipped(std::size_t triangle, FaceId face) const {
+double KeptEntities::cosine_to(FaceId face, std::size_t triangle) const {
     const auto& nodes = in_.old_mesh.triangles[triangle];
     const Vec3 a = nodes_.at(nodes[0]), b = nodes_.at(nodes[1]), c = nodes_.at(nodes[2]);
     const auto inner =
@@ -216,7 +216,9 @@ bool KeptEntities::is_flipped(std::size_t triangle, FaceId face) const {
                 at_border = parameters_on(in_.new_brep, face, EdgeId(on.index), parameters_[n.index()][0]);
     const std::array<double, 2> uv =
         inner != nodes.end() ? parameters_[inner->index()] : projector_.nearest(face, (a + b + c) / 3.0, at_border).uv;
-    return dot(projector_.normal(face, uv), cross(b - a, c - a)) < 0;
+    const Vec3 normal = cross(b - a, c - a);
+    const double size = length(normal);
+    return size > 0 ? dot(projector_.normal(face, uv), normal) / size : 0;
 }
 
 // Of several (two arcs between two vertices) it is the nearest.

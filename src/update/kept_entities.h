@@ -43,8 +43,8 @@ class KeptEntities {
     FaceId face_of(std::size_t triangle) const;
     /// The triangle has a node inside the face.
     bool has_node_inside(std::size_t triangle, FaceId face) const;
-    /// The triangle's normal is against that of the new face.
-    bool is_flipped(std::size_t triangle, FaceId face) const;
+    /// Between the triangle's normal and that of the new face.
+    double cosine_to(FaceId face, std::size_t triangle) const;
     /// The piece of its edge that an old segment is on, as both its nodes are; none.
     EdgeId edge_of(std::size_t segment) const;
     /// The new edge may be parametrised the other way round.

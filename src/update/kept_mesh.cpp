@@ -14,6 +14,7 @@
 namespace featuremesh {
 
 namespace {
+constexpr double sure_of_side = 0.5;  // of the sum of cosines between triangles and their face
 
 class Assembler {
   public:
@@ -144,15 +145,22 @@ class Assembler {
         return true;
     }
 
-    // Where a node lies inside the face its parameters are known; elsewhere they would be searched for in all of it.
-    std::size_t best_told(std::size_t first, FaceId face, const std::vector<std::int32_t>& new_index) const {
+    // Do the triangles of the face of the `first` lie the other way round in the new one? A coarse triangle on a round
+    // face may stand across it, so others are asked until it is sure that they do not. Where a node lies inside the
+    // face its parameters are known; elsewhere they would be searched for in all of it.
+    bool are_flipped(std::size_t first, FaceId face, const std::vector<std::int32_t>& new_index) const {
         const Mesh& old = in_.old_mesh;
         const std::size_t r = nodes_.motion_of(old.triangles[first][0]);
-        for (std::size_t t = first; t < old.triangles.size() && old.triangle_faces[t] == old.triangle_faces[first]; ++t)
-            if (survives(old.triangles[t], new_index) && nodes_.motion_of(old.triangles[t][0]) == r &&
-                entities_.has_node_inside(t, face))
-                return t;
-        return first;
+        double sum = 0;
+        for (const bool is_told : {true, false})
+            for (std::size_t t = first; t < old.triangles.size() && old.triangle_faces[t] == old.triangle_faces[first];
+                 ++t) {
+                if (sum > sure_of_side) return false;
+                if (survives(old.triangles[t], new_index) && nodes_.motion_of(old.triangles[t][0]) == r &&
+                    entities_.has_node_inside(t, face) == is_told)
+                    sum += entities_.cosine_to(face, t);
+            }
+        return sum < 0;
     }
 
     void take_triangles(Kept& kept, const std::vector<std::int32_t>& new_index) const {
@@ -174,7 +182,7 @@ class Assembler {
                 flip->first != std::tuple{r, old_face, face}) {  // most triangles are on the face of the one before
                 bool is_new = false;
                 std::tie(flip, is_new) = flipped.try_emplace({r, old_face, face}, false);
-                if (is_new) flip->second = entities_.is_flipped(best_told(t, face, new_index), face);
+                if (is_new) flip->second = are_flipped(t, face, new_index);
             }
             std::array<NodeId, 3> triangle;
             for (int k = 0; k < 3; ++k) triangle[k] = NodeId(new_index[nodes[k].index()]);

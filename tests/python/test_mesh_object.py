@@ -8,12 +8,12 @@ from unittest import mock
 import FreeCAD
 import numpy as np
 import ObjectsFem
-from freecad.featuremesh import analyses, api, engine, mesh_object, mesh_properties, overlays, reading, versions
+from freecad.featuremesh import analyses, api, engine, mesh_object, mesh_properties, overlays, reading, state, versions
 from freecad.featuremesh.errors import FailedUpdate, UserError
 from freecad.featuremesh.messages import english, in_english
 from freecad.featuremesh.quality import MEASURES
 from meshed_plate import SIZE, MeshedPlate, points_of
-from parts import groups_in_freecad, groups_of, new_document, plate_with_hole, rectangle
+from parts import groups_in_freecad, groups_of, new_document, placement, plate_with_hole, rectangle
 
 
 def interrupt(now):
@@ -340,6 +340,26 @@ class Groups(unittest.TestCase):
         self.document.recompute()
         self.assertIn("Fine", self.mesh.Status)
         self.assertIn("Body", self.mesh.Status)
+
+
+class CoarseHole(unittest.TestCase):
+
+    def test_an_update_turns_none_of_its_triangles(self):
+        """Some of them stand across it."""
+        document = new_document()
+        box, hole, cut = (document.addObject("Part::" + kind, kind) for kind in ("Box", "Cylinder", "Cut"))
+        box.Length, box.Width, box.Height, hole.Radius, hole.Height = 60, 20, 20, 1.4, 60
+        hole.Placement = placement(18, 10, 7, 45, (1, 0, 0))
+        cut.Base, cut.Tool = box, hole
+        document.recompute()
+        mesh = api.add_mesh(cut, 6, order=1)
+        mesh.ElementsPerCircle = 0
+        document.recompute()
+        box.Length = 63
+        document.recompute()
+        self.assertGreater(mesh.KeptNodes, 50)
+        saved = state.load(mesh.SavedState)
+        engine.load().restore_part(saved.raw, saved.options, saved.arrays)
 
 
 class SmallAngles(unittest.TestCase):
