@@ -83,7 +83,7 @@ class PieceMatcher {
         if (by_elements) {
             for (const int o : olds)
                 for (const int n : news)
-                    if (have_one_in_common(old_piece(o).elements, new_piece(n).elements)) match_swept(o, n);
+                    if (have_one_in_common(old_piece(o).elements, new_piece(n).elements)) match_swept(o, n, motion);
             return;
         }
         const RigidMotion along = motion_of_volume(olds[0], news[0], motion);
@@ -141,8 +141,9 @@ class PieceMatcher {
 
     Sameness sameness() const { return sameness_of(was_.state().brep.box(), is_.state().brep.box()); }
 
-    /// Lateral faces by their sketch elements, caps from the lowest to the highest.
-    void match_swept(int o, int n) {
+    /// Lateral faces by their sketch elements, caps from the lowest to the highest, unless that is another order: what
+    /// a pipe has behind its first bend counts as caps.
+    void match_swept(int o, int n, const RigidMotion& motion) {
         std::vector<int> old_caps, new_caps;
         for (const int f : old_piece(o).faces) {
             if (old_face(f).elements.empty()) old_caps.push_back(f);
@@ -151,8 +152,8 @@ class PieceMatcher {
         }
         for (const int g : new_piece(n).faces)
             if (new_face(g).elements.empty()) new_caps.push_back(g);
-        if (old_caps.size() != new_caps.size()) return;
         const std::vector<char> old_alone = sort_by_height(was_, old_caps), new_alone = sort_by_height(is_, new_caps);
+        if (old_caps.size() != new_caps.size() || has_another_order(old_caps, new_caps, motion, false)) return;
         for (std::size_t i = 0; i < old_caps.size(); ++i)
             if (old_alone[i] && new_alone[i]) add(old_caps[i], new_caps[i]);
     }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Loads on links, mirrored parts, instances of patterns and sides of a box go to no other feature's face, no other instance and no other side."""
+import math
 import unittest
 from unittest import mock
 
@@ -256,6 +257,39 @@ class OnAnArray(OnAFace):
             self.assertEqual([(face.CenterOfMass - Vector(40, 0, 5)).Length < 1e-6 for face in self.loaded()], [True])
 
 
+class OnAPipe(OnAFace):
+    """Swept along a line and an arc of radius 13 about the vertical line through (18, 13)."""
+
+    def behind_the_bend(self, start, end):
+        """Is that the face swept from the line between these points of the profile?"""
+        y, z = (start[0] + end[0]) / 2, (start[1] + end[1]) / 2
+        way = (13 - y) / math.sqrt(2)
+        place = Part.Vertex(18 + way, 13 - way, z)
+        return lambda face: face.distToShape(place)[0] < 1e-6
+
+    def test_a_face_behind_the_bend(self):
+        """It has no line of the sketch; by their heights it and those beside it were taken for one another."""
+        body = self.document.addObject("PartDesign::Body", "Body")
+        profile, spine = (body.newObject("Sketcher::SketchObject", name) for name in ("Profile", "Spine"))
+        profile.Placement = FreeCAD.Placement(Vector(), FreeCAD.Rotation(Vector(0, 1, 0), Vector(0, 0, 1), Vector(1, 0, 0), "XYZ"))
+        corners = [(-6.4, 8.7), (2.5, 8.6), (2.5, 12), (-2, 12)]
+        for number, (start, end) in enumerate(zip(corners, corners[1:] + corners[:1])):
+            profile.addGeometry(Part.LineSegment(Vector(*start), Vector(*end)))
+            profile.addConstraint(Sketcher.Constraint("DistanceY", -1, 1, number, 1, start[1]))
+        for number in range(4):
+            profile.addConstraint(Sketcher.Constraint("Coincident", number, 2, (number + 1) % 4, 1))
+        spine.addGeometry(Part.LineSegment(Vector(0, 0), Vector(18, 0)))
+        spine.addGeometry(Part.ArcOfCircle(Part.Circle(Vector(18, 13), Vector(0, 0, 1), 13), -math.pi / 2, 0))
+        pipe = body.newObject("PartDesign::AdditivePipe", "Pipe")
+        pipe.Profile, pipe.Spine = profile, (spine, ["Edge1", "Edge2"])
+        self.document.recompute()
+        self.meshed_with_a_load(body, self.behind_the_bend(corners[1], corners[2]))
+        self.assertEqual(len(self.loaded()), 1)
+        for height in (4.7, 10.5, 8.7):
+            profile.setDatum(0, FreeCAD.Units.Quantity("%g mm" % height))
+            self.assertEqual([self.behind_the_bend(corners[1], corners[2])(face) for face in self.loaded()], [True])
+
+
 class OnAMirroredPart(OnAFace):
 
     def test_a_face_that_another_operand_took_the_place_of(self):
@@ -273,7 +307,6 @@ class OnAMirroredPart(OnAFace):
         high.Height = 22
         self.assertEqual(self.loaded(), [])
         self.assertEqual([obj for obj, _ in references.unmended(self.document.Analysis)], [self.load])
-
 
     def test_what_is_mirrored_is_turned(self):
         boxes = [self.document.addObject("Part::Box", "Box") for _ in range(2)]
