@@ -5,8 +5,10 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "brep/occt_geometry.h"
+#include "brep/solid_probe.h"
 #include "core/geometry.h"
 #include "difference/array_elements.h"
 #include "difference/made_partners.h"
@@ -67,6 +69,9 @@ class FaceFollower {
     }
 
   private:
+    /// A volume of a feature and, of a copy, those that it copies.
+    using Origin = std::vector<VolumeName>;
+
     void follow(FaceId f, const std::vector<FaceId>& faces, FollowedBy by) {
         FollowedFace& followed = followed_[f.index()];
         followed.new_faces = faces;
@@ -128,13 +133,15 @@ class FaceFollower {
         return false;
     }
 
-    /// By old solid the new one that has most candidates of its faces, of several old ones that of most; none where it
-    /// is that of another one.
+    /// By old solid the new one that has most candidates of its faces, of several old ones that of most, but first what
+    /// lies in the same volumes; none where it is that of another one.
     std::vector<SolidId> find_solids_now() const {
         struct Pair {
             SolidId was, is;
+            bool in_same_volumes = false;
             int candidates = 0, kept = 0;  ///< faces that have one there, and that are there in their place
         };
+        const std::vector<std::set<Origin>> olds = volumes_around_solids(was_), news = volumes_around_solids(is_);
         std::map<std::pair<SolidId, SolidId>, Pair> met;
         for (std::size_t f = 0; f < followed_.size(); ++f) {
             std::set<SolidId> found;
@@ -144,7 +151,8 @@ class FaceFollower {
             for (const SolidId was : old_.brep.solids_beside(FaceId(f)))
                 for (const SolidId is : found) {
                     if (!was.is_valid() || !is.is_valid()) continue;
-                    Pair& pair = met.try_emplace({was, is}, Pair{was, is}).first->second;
+                    const bool same = !olds[was.index()].empty() && olds[was.index()] == news[is.index()];
+                    Pair& pair = met.try_emplace({was, is}, Pair{was, is, same}).first->second;
                     ++pair.candidates;
                     if (place.verdict == BoundaryVerdict::kept)
                         pair.kept += contains(new_.brep.solids_beside(place.new_face), is);
@@ -153,12 +161,27 @@ class FaceFollower {
         std::vector<Pair> pairs;
         for (const auto& [solids, pair] : met) pairs.push_back(pair);
         std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
-            return std::pair(a.candidates, a.kept) > std::pair(b.candidates, b.kept);
+            return std::tuple(a.in_same_volumes, a.candidates, a.kept) >
+                   std::tuple(b.in_same_volumes, b.candidates, b.kept);
         });
         std::vector<SolidId> now(old_.brep.solid_count());
         for (const Pair& pair : pairs)
             if (!now[pair.was.index()].is_valid() && !contains(now, pair.is)) now[pair.was.index()] = pair.is;
         return now;
+    }
+
+    /// By solid those that it lies in.
+    std::vector<std::set<Origin>> volumes_around_solids(const MadeFaces& made) const {
+        std::vector<std::set<Origin>> around;
+        for (std::size_t s = 0; s < made.state().brep.solid_count(); ++s) {
+            around.emplace_back();
+            const std::optional<Vec3> p = point_inside(made.state().brep.solid(SolidId(s)));
+            for (const MadePiece& piece : made.pieces())
+                if (p && piece.effect == Effect::adds && box_of(piece.solid).contains(*p) &&
+                    SolidProbe(piece.solid).containment_of(*p) == Containment::inside)
+                    around.back().insert(origin_of(made, piece));
+        }
+        return around;
     }
 
     /// Where it is also kept in place, that is it.
@@ -406,9 +429,6 @@ class FaceFollower {
         return length(was.center() - is.center()) <= nearby * size && std::abs(is.diagonal() - size) <= nearby * size;
     }
 
-    /// A volume of a feature and, of a copy, those that it copies.
-    using Origin = std::vector<VolumeName>;
-
     /// Can both come from one feature, as far as their own volumes tell, with a surface of the same kind? Of what no
     /// feature made, places and sizes must do.
     bool may_be(FaceId f, FaceId g) const {
@@ -432,16 +452,18 @@ class FaceFollower {
     /// By the names that the elements of arrays have now.
     std::set<Origin> features_of(const MadeFaces& made, FaceId f) const {
         std::set<Origin> origins;
-        for (const int m : made.made(f)) {
-            const MadePiece& piece = made.pieces()[std::size_t(made.faces()[std::size_t(m)].piece)];
-            const Feature& feature = made.state().tree[piece.feature];
-            Origin origin = piece.copied_from;
-            if (&made == &was_)
-                for (VolumeName& name : origin) name = elements_.now(name);
-            origin.insert(origin.begin(), {feature.name, feature.volume_source == "instances" ? piece.instance : -1});
-            origins.insert(origin);
-        }
+        for (const int m : made.made(f))
+            origins.insert(origin_of(made, made.pieces()[std::size_t(made.faces()[std::size_t(m)].piece)]));
         return origins;
+    }
+
+    Origin origin_of(const MadeFaces& made, const MadePiece& piece) const {
+        const Feature& feature = made.state().tree[piece.feature];
+        Origin origin = piece.copied_from;
+        if (&made == &was_)
+            for (VolumeName& name : origin) name = elements_.now(name);
+        origin.insert(origin.begin(), {feature.name, feature.volume_source == "instances" ? piece.instance : -1});
+        return origin;
     }
 
     const PartState& old_;

@@ -257,6 +257,37 @@ class OnAnArray(OnAFace):
             self.assertEqual([(face.CenterOfMass - Vector(40, 0, 5)).Length < 1e-6 for face in self.loaded()], [True])
 
 
+class OnFragments(OnAFace):
+
+    def test_materials_of_two_balls_that_overlap(self):
+        """Each of the three solids has pieces of the faces of one or both."""
+        balls = [self.document.addObject("Part::Sphere", name) for name in ("Held", "Moved")]
+        for ball in balls:
+            ball.Radius = 10
+        balls[1].Placement = placement(9, 1, 2)
+        fragments = SplitFeatures.makeBooleanFragments("Fragments")
+        fragments.Objects = balls
+        self.document.recompute()
+
+        def balls_around(name):
+            solid = fragments.Shape.Solids[int(name[len("Solid"):]) - 1]
+            return {ball.Name for ball in balls if solid.common(ball.Shape).Volume > 0.5 * solid.Volume}
+
+        self.meshed_with_a_load(fragments, lambda face: False)
+        self.document.Analysis.removeObject(self.load)
+        materials = {}
+        for name in ("Solid1", "Solid2", "Solid3"):
+            material = ObjectsFem.makeMaterialSolid(self.document, "Material")
+            material.References = [(fragments, name)]
+            self.document.Analysis.addObject(material)
+            materials[material] = balls_around(name)
+        self.document.recompute()
+        for place in ((6, 5, 4), (0, 4, 2), (-9, 2, 2), (9, 7, 2)):
+            balls[1].Placement = placement(*place)
+            self.document.recompute()
+            self.assertEqual([[balls_around(name) for _, name in names_of(material)] for material in materials], [[around] for around in materials.values()])
+
+
 class OnAPipe(OnAFace):
     """Swept along a line and an arc of radius 13 about the vertical line through (18, 13)."""
 
