@@ -113,6 +113,7 @@ py::list followed_list(const std::vector<FollowedFace>& faces) {
         py::dict entry;
         entry["old_face"] = face_name(face.old_face);
         entry["new_faces"] = face_names(face.new_faces);
+        entry["within"] = face_names(face.within);
         entry["by"] = to_string(face.by);
         out.append(entry);
     }

@@ -101,7 +101,7 @@ def followed_faces(old: PartMesh, old_raw: dict, new: PartMesh, new_raw: dict) -
 @overload
 def followed_faces(old_raw: dict, new_raw: dict) -> list[dict[str, Any]]:
     """For every face of the old final shape {"old_face", "new_faces" (several where it was split, none where it is gone or cannot be told),
-    "by": "origin" (what made it), "place", "neighbours" or ""}."""
+    "by": "origin" (what made it), "place", "neighbours" or "", "within" (pieces of it that came to lie between two solids, and are none of new_faces)}."""
 def trace_sub_elements(raw: dict, object: str) -> dict[str, list[str]]:
     """By name of every face, edge and vertex of an object that the part is made of: the names of what lies there on the final shape."""
 def estimate_tets(raw: dict, options: dict) -> float: """About how many elements: tets, or triangles or segments where those are meshed."""

@@ -65,6 +65,7 @@ class FaceFollower {
             follow_place(FaceId(f), BoundaryVerdict::trimmed_differently);
         while (follow_neighbours()) {
         }
+        for (FollowedFace& followed : followed_) find_pieces_within(followed);
         return std::move(followed_);
     }
 
@@ -226,6 +227,23 @@ class FaceFollower {
             for (const int n : partners_[std::size_t(m)])
                 if (contains(is_.made(g), n) && pieces_.in_common(f, m, g, n) > most_of_it) return true;
         return false;
+    }
+
+    static bool is_between_solids(const Brep& brep, FaceId f) {
+        const auto solids = brep.solids_beside(f);
+        return solids[0].is_valid() && solids[1].is_valid();
+    }
+
+    /// Those that are of no old face.
+    void find_pieces_within(FollowedFace& followed) {
+        const FaceId f = followed.old_face;
+        if (followed.new_faces.empty() || is_between_solids(old_.brep, f)) return;
+        std::set<FaceId> found;
+        for (const int m : was_.made(f))
+            for (const int n : partners_[std::size_t(m)])
+                for (const FaceId g : pieces_.new_on(n))
+                    if (!taken_[g.index()] && is_between_solids(new_.brep, g) && share_points(f, g)) found.insert(g);
+        followed.within.assign(found.begin(), found.end());
     }
 
     // By its place

@@ -20,6 +20,7 @@ struct FollowedFace {
     FaceId old_face;
     std::vector<FaceId> new_faces;  ///< ascending; several where it was split, none where it is gone or cannot be told
     FollowedBy by = FollowedBy::nothing;
+    std::vector<FaceId> within;  ///< pieces that came to lie between two solids, where only one was beside the old face
 };
 
 /// For every face of the old final shape. Sketch elements tell what others have no name for; without them less is told.

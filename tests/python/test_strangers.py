@@ -11,6 +11,7 @@ import Part
 import Sketcher
 from BOPTools import SplitFeatures
 from CompoundTools import CompoundFilter
+from blocks import warnings_of
 from freecad.featuremesh import api, references, versions
 from parts import Vector, circle, new_document, placement, plate_with_hole, rectangle
 from test_references import names_of
@@ -286,6 +287,22 @@ class OnFragments(OnAFace):
             balls[1].Placement = placement(*place)
             self.document.recompute()
             self.assertEqual([[balls_around(name) for _, name in names_of(material)] for material in materials], [[around] for around in materials.values()])
+
+
+    def test_a_face_of_which_a_piece_comes_to_lie_within_another_solid(self):
+        boxes = [self.document.addObject("Part::Box", name) for name in ("Loaded", "Moved")]
+        for box in boxes:
+            box.Length, box.Width, box.Height = 20, 20, 20
+        boxes[1].Placement = placement(30, 5, 5)
+        fragments = SplitFeatures.makeBooleanFragments("Fragments")
+        fragments.Objects = boxes
+        self.document.recompute()
+        self.meshed_with_a_load(fragments, lambda face: abs(face.CenterOfMass.x - 20) < 1e-6)
+        boxes[1].Placement = placement(12, 5, 5)
+        outside, = self.loaded()
+        self.assertAlmostEqual(outside.Area, 20 * 20 - 15 * 15)
+        said, = [text for text in warnings_of(self.mesh) if "Pressure" in text and "between" in text]
+        self.assertRegex(said, r"Pressure: of Face\d+ it is not on Face\d+, which lies between two solids now")
 
 
 class OnAPipe(OnAFace):

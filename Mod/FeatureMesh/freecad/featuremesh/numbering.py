@@ -27,6 +27,7 @@ class Numbering:
         """`old_shape` is a function: it costs time, and is called only for a name that is not a face's. Does it `is_return` to a part of before, of which others may be gone?"""
         self._became, self._was = defaultdict(set), defaultdict(list)
         self._old_shape, self._new_shape, self._is_return = old_shape, new_shape, is_return
+        self._within = {face["old_face"]: face["within"] for face in faces}
         self._around = {}  # kind -> (members before, their faces, members after, their faces)
         for face in faces:
             for name in face["new_faces"]:
@@ -101,6 +102,10 @@ class Numbering:
     def was(self, name):
         """Names of the faces before that are in the face `name` now; empty for anything but a face."""
         return self._was.get(name, [])
+
+    def within(self, name):
+        """Names of the pieces of the face `name` before that came to lie between two solids; nothing for anything but a face."""
+        return self._within.get(name, [])
 
     def may_be(self, old, new):
         """Can the sub-element before be the one now, as far as place and size tell? Faces must be of one kind, too."""

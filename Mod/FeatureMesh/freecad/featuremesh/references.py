@@ -336,17 +336,20 @@ def _not_a_stranger(name, chosen, numbering):
 
 
 def _what_happened(obj, name, found, numbering, chosen):
+    lines, within = [], numbering.within(name)
     if len(found) > 1:
-        return [said("{object:text}: {before:entities} was split into {now:entities}, it is on all of them now",
-                     object=obj.Label, before=[name], now=found)]
-    lines = []
-    if found and found != [name]:
+        lines.append(said("{object:text}: {before:entities} was split into {now:entities}, it is on all of them now",
+                          object=obj.Label, before=[name], now=found))
+    elif found and found != [name]:
         lines.append(said("{object:text}: {before:entities} is now {now:entities}, its reference was changed",
                           object=obj.Label, before=[name], now=found))
-    others = [other for other in (numbering.was(found[0]) if found else []) if other not in chosen]
+    others = [other for other in (numbering.was(found[0]) if len(found) == 1 else []) if other not in chosen]
     if others:
         lines.append(said("{object:text}: {one:entities} has become one with {others:entities}, it is on all of that now",
                           object=obj.Label, one=[name], others=others))
+    if within:
+        lines.append(said("{object:text}: of {before:entities} it is not on {within:entities}, which lies between two solids now",
+                          object=obj.Label, before=[name], within=within))
     return lines
 
 

@@ -4373,6 +4373,10 @@
       <translation>{object:text}: {before:entities} wurde in {now:entities} geteilt, es gilt jetzt auf allen</translation>
     </message>
     <message>
+      <source>{object:text}: of {before:entities} it is not on {within:entities}, which lies between two solids now</source>
+      <translation>{object:text}: von {before:entities} gilt es nicht auf {within:entities}, das jetzt zwischen zwei Volumenkörpern liegt</translation>
+    </message>
+    <message>
       <source>{object:text}: {one:entities} has become one with {others:entities}, it is on all of that now</source>
       <translation>{object:text}: {one:entities} ist mit {others:entities} eins geworden, es gilt jetzt auf dem Ganzen</translation>
     </message>
