@@ -129,7 +129,9 @@ class BeamMeshes(unittest.TestCase):
             analysis.addObject(section)
         document.recompute()
         getter = MeshSetsGetter(analysis, analysis.Group[1], mesh, AnalysisMember(analysis))
-        getter.get_element_geometry1D_elements()
+        getter.theshape = None   # as in 1.x of a mesh that 0.20 made
+        getter.get_mesh_sets()
+        self.assertEqual([len(entry["ids"]) for entry in getter.member.geos_beamrotation[0]["FEMRotations1D"]], [6, 1])
         self.assertEqual({entry["Object"].Name: len(entry["FEMElements"]) for entry in getter.member.geos_beamsection}, {"Circular": 6, "Rectangular": 1})
 
     def test_the_edges_of_a_body_as_asked(self):

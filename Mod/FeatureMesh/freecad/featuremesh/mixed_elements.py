@@ -11,6 +11,7 @@ from itertools import combinations
 
 import FreeCAD
 
+from . import analyses, versions
 from .errors import UserError
 from .given_mesh import empty
 from .reading import describe
@@ -91,6 +92,9 @@ def _lost_pressure(fem_mesh, member):
 def _of_sets(original, getter, *rest):
     """FreeCAD searches these tables, where it has them, for the elements of each thickness and beam section. The solver object of 1.1 does not listen to
     the check."""
+    source = analyses.source_of(getter.mesh_object)
+    if getter.theshape is None and source is not None:   # in 1.x, which does not look where a mesh of 0.20 has its part
+        getter.theshape = versions.part_of(source)
     if is_mixed(getter.femmesh, getter.member):
         lost = _lost_pressure(getter.femmesh, getter.member)
         if lost:
