@@ -173,14 +173,19 @@ class FaceFollower {
 
     /// By solid those that it lies in.
     std::vector<std::set<Origin>> volumes_around_solids(const MadeFaces& made) const {
-        std::vector<std::set<Origin>> around;
-        for (std::size_t s = 0; s < made.state().brep.solid_count(); ++s) {
-            around.emplace_back();
-            const std::optional<Vec3> p = point_inside(made.state().brep.solid(SolidId(s)));
-            for (const MadePiece& piece : made.pieces())
-                if (p && piece.effect == Effect::adds && box_of(piece.solid).contains(*p) &&
-                    SolidProbe(piece.solid).containment_of(*p) == Containment::inside)
-                    around.back().insert(origin_of(made, piece));
+        const Brep& brep = made.state().brep;
+        std::vector<std::optional<Vec3>> points;
+        for (std::size_t s = 0; s < brep.solid_count(); ++s) points.push_back(point_inside(brep.solid(SolidId(s))));
+        std::vector<std::set<Origin>> around(points.size());
+        for (const MadePiece& piece : made.pieces()) {
+            if (piece.effect != Effect::adds) continue;
+            const Box box = box_of(piece.solid);
+            std::optional<SolidProbe> probe;
+            for (std::size_t s = 0; s < points.size(); ++s) {
+                if (!points[s] || !box.contains(*points[s])) continue;
+                if (!probe) probe.emplace(piece.solid);
+                if (probe->containment_of(*points[s]) == Containment::inside) around[s].insert(origin_of(made, piece));
+            }
         }
         return around;
     }
