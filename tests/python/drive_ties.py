@@ -11,7 +11,7 @@ import FreeCADGui as Gui  # noqa: E402
 import ObjectsFem  # noqa: E402
 import window  # noqa: E402
 from PySide import QtGui  # noqa: E402
-from window import click, click_button_of, click_in_panel, click_in_view, figures, panel, picture, spin, type_into, wait_for  # noqa: E402
+from window import click, click_button_of, click_in_panel, click_in_view, double_click, figures, item_of_tree, panel, picture, spin, type_into, wait_for  # noqa: E402
 
 HEIGHT = 20
 JOINT = FreeCAD.Vector(10, 10, HEIGHT)   # where the parts touch
@@ -108,6 +108,14 @@ def check_seen_after_panel(tie, mesh, made):
             assert [obj for obj in places if obj.ViewObject.Visibility] == [seen], (button, seen.Label, [obj.Label for obj in places if obj.ViewObject.Visibility])
 
 
+def check_not_moved(mesh):
+    """A double click on the parts of a container opens no *Transform*, which would take them away from the parts."""
+    from freecad.featuremesh import versions
+    double_click(*item_of_tree(versions.part_of(mesh).Label))
+    spin(1)
+    assert not Gui.Control.activeDialog() and Gui.activeDocument().getInEdit() is None
+
+
 def check_stiffness(analysis, upper):
     """The tower is as stiff as two columns, one on the other."""
     from freecad.featuremesh import api
@@ -134,6 +142,7 @@ def drive():
     assert is_on_both(tie), tie.References
     picture("ties_meshed")
     check_seen_after_panel(tie, mesh, made)
+    check_not_moved(mesh)
     for height in (HEIGHT, 30):
         upper.Height = height
         document.recompute()

@@ -274,6 +274,16 @@ class Assembly(InADocument):
         self.document.abortTransaction()
         self.assertEqual((mesh.Status, solve_guard.not_recomputed(mesh)), (mesh_object.UP_TO_DATE, ""))
 
+    def test_the_parts_are_where_they_are(self):
+        """Also after their object was moved, as *Transform* did."""
+        container = self.document.addObject("App::Part", "Machine")
+        tower(self.document, container, gap=1)
+        mesh = self.meshed(container)
+        shown = versions.part_of(mesh)
+        shown.Placement.Base.x += 20
+        self.document.recompute()
+        self.assertEqual((mesh.Status, mesh.KeptTets, mesh.FemMesh.BoundBox.XMin, shown.Shape.BoundBox.XMin), (mesh_object.UP_TO_DATE, 100, 0, 0))
+
     def test_the_container_of_a_part_that_is_moved_takes_its_mesh_along(self):
         """FEM has the nodes of a part where it is seen since 1.0, and looks for loaded faces there."""
         container = self.document.addObject("App::Part", "Machine")

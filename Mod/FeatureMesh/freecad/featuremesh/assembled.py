@@ -60,6 +60,8 @@ class AssembledParts(GetsReady):
         obj.Places = _places_of(shapes)
         if obj.Join:
             shapes = joined(parts, shapes)
+        if not obj.Placement.isIdentity():
+            obj.Placement = FreeCAD.Placement()   # somebody moved it
         obj.Shape = Part.makeCompound(shapes)
         obj.Joints = joints_in(parts, obj.Shape) if obj.Join else []
 

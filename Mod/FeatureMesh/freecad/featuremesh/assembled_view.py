@@ -16,3 +16,7 @@ class ViewAssembledParts(View):
 
     def getIcon(self):
         return view_provider.kept_icon("FeatureMesh_ShowTree")
+
+    def setEdit(self, view, mode=0):
+        """FreeCAD's Transform, which a double click opens, too, would move it away from the parts."""
+        return False
