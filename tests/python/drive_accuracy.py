@@ -46,6 +46,21 @@ def check_memory(shown, mesh):
     assert not mesh.MeshRegionList and mesh.Document.UndoNames == steps and shown.finer.isEnabled(), (mesh.MeshRegionList, mesh.Document.UndoNames)
 
 
+def check_material(document, live, mesh):
+    """A double click on the material, whose panel is FEM's own in Python, opens it in place of the live result's."""
+    from freecad.featuremesh import versions
+    material, = [obj for obj in document.Objects if hasattr(obj, "Material")]
+    material.ViewObject.doubleClicked()
+    wait_for(lambda: Gui.activeDocument().getInEdit() is not None)
+    spin(1)
+    assert Gui.activeDocument().getInEdit().Object is material
+    assert [obj.Label for obj in (versions.part_of(mesh), mesh, live) if obj.ViewObject.Visibility] == [versions.part_of(mesh).Label]
+    window.click_in_panel("Cancel")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    spin()
+    assert live.ViewObject.Visibility and not mesh.ViewObject.Visibility
+
+
 def drive():
     from freecad.featuremesh import api, engine, error_sizes
     from parts import plate_with_hole
@@ -79,7 +94,7 @@ def drive():
     assert shown.difference.isEnabled()
     picture("accuracy_after")
     assert document.UndoNames[0] == "Refine where it is off", document.UndoNames
-    shown.reject()
+    check_material(document, live, mesh)
     Gui.runCommand("Std_Undo")
     spin(1)
     solved(live)

@@ -9,6 +9,15 @@ from .. import versions
 from . import freecad_widget
 
 
+_open = []   # the panel of this kind that is
+
+
+def close_open():
+    """Closes the panel that only shows something, if one is open, so that another one can be opened."""
+    for panel in list(_open):
+        panel.reject()
+
+
 class ClosesWithObject:
     """A document observer that closes its task panel when the object that it shows is deleted, or the object's document is closed."""
 
@@ -19,10 +28,12 @@ class ClosesWithObject:
     def watch(self, obj):
         self._watched, self._document = obj, obj.Document
         FreeCAD.addDocumentObserver(self)
+        _open.append(self)
         self.form.destroyed.connect(lambda: self.end())   # others close panels, too, without a word to them
 
     def unwatch(self):
         FreeCAD.removeDocumentObserver(self)
+        _open.remove(self)
 
     # FreeCAD's side
 

@@ -43,6 +43,20 @@ def show_to_click(obj):
     return before
 
 
+def show_result_mesh(result):
+    """Hides what is drawn of results in the place of the mesh that FEM's panel of a result colours. Returns what `restore` needs."""
+    above = _analyses_above(result)
+    seen = [obj for obj in result.Document.Objects if obj.ViewObject.Visibility and (is_live_result(obj) or obj.isDerivedFrom(_POST)) and above & _analyses_above(obj)]
+    before = _as_seen(seen)
+    _set_visible(seen, False)
+    return before
+
+
+def is_result_seen(obj):
+    """Is this a result of FEM whose mesh is seen?"""
+    return obj.isDerivedFrom("Fem::FemResultObject") and obj.Mesh is not None and obj.Mesh.ViewObject.Visibility
+
+
 def show_unless_seen(obj):
     """Shows the mesh that an FEM object belongs to where FEM's panel, which hides meshes and shows parts for its time, has left nothing to see in its place."""
     for mesh in api.meshes_of(obj.Document):
