@@ -298,12 +298,12 @@ class InTheDocument(Case):
         plane = ObjectsFem.makeConstraintPlaneRotation(self.document, "Plane")
         plane.References = [(part, faces_at(part, 1, 0))]
         analysis.addObject(plane)
-        with self.assertRaisesRegex(statics.NotUnderstood, "the live solver does not know Plane"):
+        with self.assertRaisesRegex(statics.NotUnderstood, "only CalculiX knows Plane"):
             api.solve_analysis(analysis, "live")
         if shutil.which("ccx"):
             report = api.solve_analysis(analysis)
             self.assertEqual(report["solver"], "CalculiX")
-            self.assertIn("does not know Plane", " ".join(map(english, report["warnings"])))
+            self.assertIn("only CalculiX knows Plane", " ".join(map(english, report["warnings"])))
 
     def foil(self, height):
         """The analysis of a square foil that is held at one side and pressed down."""
@@ -343,7 +343,7 @@ class InTheDocument(Case):
             statics.solve(analysis)
         for values in ({}, {"Name": "None", "YoungsModulus": "210000 MPa"}, dict(STEEL, YoungsModulus="much")):   # OK in FEM's panel without a card gives the first
             material.Material = values
-            with self.assertRaisesRegex(UserError, "Steel has no Young's modulus or no Poisson's ratio that is a number: choose a card, or type both, in its panel$"):
+            with self.assertRaisesRegex(UserError, "Steel has no Young's modulus or no Poisson's ratio that is a number: choose a card that has both, or type them, in its panel$"):
                 statics.solve(analysis)
         material.Material = dict(STEEL, PoissonRatio="0.499")
         with self.assertRaisesRegex(statics.NotUnderstood, "nearly incompressible"):

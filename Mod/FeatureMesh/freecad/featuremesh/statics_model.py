@@ -138,8 +138,9 @@ class _Reader:
             young = float(FreeCAD.Units.Quantity(values["YoungsModulus"]).getValueAs("MPa").Value)
             poisson = float(values["PoissonRatio"])
         except (KeyError, ValueError, ArithmeticError) as error:
-            raise UserError(said("the material {material:text} has no Young's modulus or no Poisson's ratio that is a number: choose a card, or type both, in its panel",
-                                 material=describe(material))) from error
+            raise UserError(said(
+                "the material {material:text} has no Young's modulus or no Poisson's ratio that is a number: choose a card that has both, or type them, in its panel",
+                material=describe(material))) from error
         if young < _LOWEST_MODULUS:
             raise UserError(said("Young's modulus of the material {material:text} is {young:number} MPa: check its unit",
                                  material=describe(material), young=young))
@@ -341,7 +342,7 @@ def _check_solver(analysis):
 
 
 def _not_known(member):
-    return NotUnderstood(said("the live solver does not know {member:text} ({kind:text})", member=describe(member), kind=_kind_of(member)))
+    return NotUnderstood(said("only CalculiX knows {member:text} ({kind:text}), not the live solver", member=describe(member), kind=_kind_of(member)))
 
 
 def _kind_of(member):

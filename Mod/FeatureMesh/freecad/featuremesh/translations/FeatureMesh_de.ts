@@ -1453,8 +1453,8 @@
       <translation>die Masse eines Balkens mit dem Querschnitt {section:text} von {member:text} ist nicht bekannt</translation>
     </message>
     <message>
-      <source>the material {material:text} has no Young's modulus or no Poisson's ratio that is a number: choose a card, or type both, in its panel</source>
-      <translation>der Werkstoff {material:text} hat keinen Elastizitätsmodul oder keine Querkontraktionszahl, die eine Zahl ist: in seinem Fenster eine Werkstoffkarte wählen oder beide eintippen</translation>
+      <source>the material {material:text} has no Young's modulus or no Poisson's ratio that is a number: choose a card that has both, or type them, in its panel</source>
+      <translation>der Werkstoff {material:text} hat keinen Elastizitätsmodul oder keine Querkontraktionszahl, die eine Zahl ist: in seinem Fenster eine Werkstoffkarte wählen, die beide hat, oder sie eintippen</translation>
     </message>
     <message>
       <source>the material {material:text} has no density; give it one, with its unit</source>
@@ -3933,8 +3933,8 @@
       <translation>der mitlaufende Löser kennt die Formel von {member:text} nicht</translation>
     </message>
     <message>
-      <source>the live solver does not know {member:text} ({kind:text})</source>
-      <translation>der mitlaufende Löser kennt {member:text} ({kind:text}) nicht</translation>
+      <source>only CalculiX knows {member:text} ({kind:text}), not the live solver</source>
+      <translation>nur CalculiX kennt {member:text} ({kind:text}), der mitlaufende Löser nicht</translation>
     </message>
     <message>
       <source>the live solver knows forces on faces, on edges or on vertices, not {force:text}</source>
