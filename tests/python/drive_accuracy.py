@@ -94,6 +94,13 @@ def drive():
     assert shown.difference.isEnabled()
     picture("accuracy_after")
     assert document.UndoNames[0] == "Refine where it is off", document.UndoNames
+    mesh.ViewObject.doubleClicked()   # so do ours
+    spin(1)
+    assert panel("MeshPanel").mesh is mesh
+    window.click_in_panel("Cancel")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    Gui.runCommand("FeatureMesh_LiveResult")
+    spin()
     check_material(document, live, mesh)
     Gui.runCommand("Std_Undo")
     spin(1)

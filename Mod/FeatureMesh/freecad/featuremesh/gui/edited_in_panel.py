@@ -7,11 +7,11 @@ import FreeCADGui as Gui
 from ..errors import UserError
 from ..messages import said
 from ..proxies import View
-from . import errors, recording
+from . import closes_with_object, errors, recording
 
 
 class EditedInPanel(View):
-    """A double click opens the panel that `panel_of` gives, or says that another one is open."""
+    """A double click opens the panel that `panel_of` gives, in place of one that only shows something, or says that another one is open."""
 
     def panel_of(self, obj):
         raise NotImplementedError
@@ -29,12 +29,14 @@ class EditedInPanel(View):
 
     def doubleClicked(self, view):
         document = Gui.getDocument(view.Object.Document)
-        edited = document.getInEdit()
+        if Gui.Control.activeDialog() and getattr(document.getInEdit(), "Object", None) is view.Object:
+            return True
+        closes_with_object.close_open()
         if not Gui.Control.activeDialog():
             # FreeCAD's own step of undo, of what the panel only shows or hides. What was done before may be in one that FreeCAD had left open.
             FreeCAD.closeActiveTransaction(not any(opened.HasPendingTransaction for opened in FreeCAD.listDocuments().values()))
             document.setEdit(view.Object.Name)
-        elif edited is None or edited.Object is not view.Object:
+        else:
             errors.show(UserError(said("{object:text} cannot be opened while a panel is open; close that first", object=view.Object.Label)))
         return True
 
