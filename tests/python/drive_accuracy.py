@@ -46,19 +46,23 @@ def check_memory(shown, mesh):
     assert not mesh.MeshRegionList and mesh.Document.UndoNames == steps and shown.finer.isEnabled(), (mesh.MeshRegionList, mesh.Document.UndoNames)
 
 
-def check_material(document, live, mesh):
-    """A double click on the material, whose panel is FEM's own in Python, opens it in place of the live result's."""
+def check_material(live, mesh):
+    """A double click on the material, whose panel is FEM's own in Python, opens it in place of ours that show something; *Cancel* there takes back nothing of them."""
     from freecad.featuremesh import versions
-    material, = [obj for obj in document.Objects if hasattr(obj, "Material")]
-    material.ViewObject.doubleClicked()
-    wait_for(lambda: Gui.activeDocument().getInEdit() is not None)
-    spin(1)
-    assert Gui.activeDocument().getInEdit().Object is material
-    assert [obj.Label for obj in (versions.part_of(mesh), mesh, live) if obj.ViewObject.Visibility] == [versions.part_of(mesh).Label]
-    window.click_in_panel("Cancel")
-    wait_for(lambda: not Gui.Control.activeDialog())
-    spin()
-    assert live.ViewObject.Visibility and not mesh.ViewObject.Visibility
+    material, = [obj for obj in mesh.Document.Objects if hasattr(obj, "Material")]
+    for command in ("LiveResult", "ShowQuality"):
+        Gui.runCommand("FeatureMesh_" + command)
+        spin()
+        FreeCAD.setActiveTransaction("Edit")   # as FreeCAD does for a double click
+        material.ViewObject.doubleClicked()
+        spin(1)
+        assert Gui.activeDocument().getInEdit().Object is material
+        assert [obj.Label for obj in (versions.part_of(mesh), mesh, live) if obj.ViewObject.Visibility] == [versions.part_of(mesh).Label]
+        window.click_in_panel("Cancel")
+        wait_for(lambda: not Gui.Control.activeDialog())
+        FreeCAD.closeActiveTransaction(True)
+        spin()
+        assert live.ViewObject.Visibility and not mesh.ViewObject.Visibility, command
 
 
 def drive():
@@ -94,14 +98,7 @@ def drive():
     assert shown.difference.isEnabled()
     picture("accuracy_after")
     assert document.UndoNames[0] == "Refine where it is off", document.UndoNames
-    mesh.ViewObject.doubleClicked()   # so do ours
-    spin(1)
-    assert panel("MeshPanel").mesh is mesh
-    window.click_in_panel("Cancel")
-    wait_for(lambda: not Gui.Control.activeDialog())
-    Gui.runCommand("FeatureMesh_LiveResult")
-    spin()
-    check_material(document, live, mesh)
+    shown.reject()
     Gui.runCommand("Std_Undo")
     spin(1)
     solved(live)
@@ -111,6 +108,14 @@ def drive():
     spin(1)
     solved(live)
     assert mesh.TetCount > coarse and mesh.MeshRegionList == error_sizes.in_document(document)
+    Gui.runCommand("FeatureMesh_LiveResult")
+    spin()
+    mesh.ViewObject.doubleClicked()   # whose panel takes the other's place
+    spin(1)
+    assert panel("MeshPanel").mesh is mesh
+    window.click_in_panel("Cancel")
+    wait_for(lambda: not Gui.Control.activeDialog())
+    check_material(live, mesh)
 
 
 window.run(drive)

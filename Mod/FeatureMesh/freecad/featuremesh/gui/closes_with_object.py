@@ -13,9 +13,20 @@ _open = []   # the panel of this kind that is
 
 
 def close_open():
-    """Closes the panel that only shows something, if one is open, so that another one can be opened."""
+    """Closes the panel that only shows something, if one is open, so that another one can be opened. What is shown and hidden by it is not in the step of undo
+    that FreeCAD has begun for the other one, whose *Cancel* would take it back."""
+    step = FreeCAD.getActiveTransaction()
+    if _open and step:
+        end_empty_step()
     for panel in list(_open):
         panel.reject()
+        if step:
+            FreeCAD.setActiveTransaction(step[0])
+
+
+def end_empty_step():
+    """Ends FreeCAD's own step of undo, in which nothing is yet; what was done before may be in one that FreeCAD had left open."""
+    FreeCAD.closeActiveTransaction(not any(opened.HasPendingTransaction for opened in FreeCAD.listDocuments().values()))
 
 
 class ClosesWithObject:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What view providers share whose object is edited in a task panel."""
 
-import FreeCAD
 import FreeCADGui as Gui
 
 from ..errors import UserError
@@ -33,8 +32,7 @@ class EditedInPanel(View):
             return True
         closes_with_object.close_open()
         if not Gui.Control.activeDialog():
-            # FreeCAD's own step of undo, of what the panel only shows or hides. What was done before may be in one that FreeCAD had left open.
-            FreeCAD.closeActiveTransaction(not any(opened.HasPendingTransaction for opened in FreeCAD.listDocuments().values()))
+            closes_with_object.end_empty_step()   # of what the panel only shows or hides
             document.setEdit(view.Object.Name)
         else:
             errors.show(UserError(said("{object:text} cannot be opened while a panel is open; close that first", object=view.Object.Label)))
