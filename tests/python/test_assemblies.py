@@ -526,6 +526,14 @@ class TiedAndInContact(InADocument):
         with self.assertRaisesRegex(UserError, "^Solid2, Solid3 can still move along x, y and z and turn about x, y and z: add a support"):
             api.solve_analysis(analysis, "ccx")
 
+    def test_solids_are_named_with_the_parts_that_they_are_of(self):
+        container = self.document.addObject("App::Part", "Machine")
+        tower(self.document, container)[3].Label = "Lid"
+        mesh = self.meshed(container)
+        self.assertIn(" Solid3 (Plate2) and Solid4 (Lid); ", *warnings_of_contact(mesh))
+        with self.assertRaisesRegex(UserError, r"^Solid2 \(Plate1\), Solid3 \(Plate2\), Solid4 \(Lid\), .* can still move along"):
+            api.solve_analysis(self.add_analysis(mesh, with_joints=False), "ccx")
+
     def test_a_tie_that_ties_nothing_is_refused_and_what_flies_away_is_said(self):
         boxes = tower(self.document)[:2]
         boxes[1].Placement.Base.z, boxes[1].Height = HEIGHT + 0.5, HEIGHT - 0.5

@@ -143,6 +143,9 @@ class Messages(unittest.TestCase):
             "nodes": 3, "fallback": "full mesh: Face2 (Fillet) and Edge7 (Pad, Fillet); Face2 (Fillet) and itself",
             "warnings": ["thin: Face2 (Fillet), Face9, Face10, Vertex1", "old"], "rounds": [{"refusal": None}]})
         self.assertEqual(messages.entities_in(report["fallback"]), ["Face2", "Edge7"])
+        touching = messages.with_parts(messages.with_owners(messages.said("{both:entities}", both=["Face2", "Solid1", "Solid2"]), labels_of), {"Solid2": "Lid"})
+        self.assertEqual(messages.english(touching), "Face2 (Fillet), Solid1, Solid2 (Lid)")
+        asked.pop()
         self.assertEqual(messages.with_owners(TOO_LARGE, labels_of), TOO_LARGE)
         self.assertEqual(len(asked), 1)
 

@@ -72,6 +72,14 @@ class AssembledParts(GetsReady):
             hook(obj)
 
 
+def part_of_solids(obj):
+    """The labels of the parts that the solids of this object's shape are of, by the names of the solids; empty for any other object, and where it has one part."""
+    if not is_assembled(obj) or len(obj.Parts) < 2:
+        return {}
+    labels = [part.Label for part, shape in zip(obj.Parts, obj.Shape.SubShapes) for _ in shape.Solids]
+    return {"Solid%d" % (index + 1): label for index, label in enumerate(labels)}
+
+
 def touch_if_moved(objects):
     """Touches those of our objects among these whose parts were moved: FreeCAD's Assembly takes back its mark that it moved a part."""
     for obj in objects:

@@ -6,7 +6,7 @@ import time
 import numpy as np
 
 from . import engine, log, thin_elements
-from .messages import english, of_error, with_owners
+from .messages import english, of_error, with_owners, with_parts
 from .reports import with_details_in_one, without_errors_told
 from .worker import WorkerDied
 
@@ -28,6 +28,7 @@ class MeshJob:
         self.part_mesh = None
         self.report = None
         self.shape = None         # the part's, as FreeCAD has it
+        self.part_of = {}         # label of the part by the name of the solid, of several parts
         self.frame = None         # and where what it is in puts it
         self.settings = None      # the mesh object's when the job was made
         self.begun_at = None      # which saved state it had then, see overtaken.py
@@ -40,7 +41,7 @@ class MeshJob:
             self._restore(progress)
         start = time.perf_counter()
         self.part_mesh, self.report = run_engine(self._mesh, self.raw, self.options, progress)
-        self.report["warnings"] = without_errors_told(self.report["warnings"], self.remarks)
+        self.report["warnings"] = with_parts(without_errors_told(self.report["warnings"], self.remarks), self.part_of)
         self.seconds["engine"] = time.perf_counter() - start
         log.write("%s %s in %.1f s", "meshed" if self.old is None else "updated", self.raw["final_object"], self.seconds["engine"])
 

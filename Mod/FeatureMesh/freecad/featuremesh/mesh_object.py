@@ -8,8 +8,8 @@ import time
 import FreeCAD
 import Fem
 
-from . import adopt, analyses, chosen_solids, contact_faces, copied_part, document_view, engine, given_mesh, groups_by_name, hand_over, history, loaded_places, log
-from . import mesh_properties, messages, mixed_elements, recompute_errors, references, refinements, results, rigid_bodies, shell_fluxes, solve_guard, state
+from . import adopt, analyses, assembled, chosen_solids, contact_faces, copied_part, document_view, engine, given_mesh, groups_by_name, hand_over, history, loaded_places
+from . import log, mesh_properties, messages, mixed_elements, recompute_errors, references, refinements, results, rigid_bodies, shell_fluxes, solve_guard, state
 from . import state_property, too_fine, versions
 from .errors import EngineMissing, FailedUpdate, StateError, UserError
 from .given_mesh import give
@@ -153,6 +153,7 @@ class FeatureMesh(Stateless):
         refined = refinements.read(mesh, part, raw)
         job = MeshJob(raw, options_of(mesh, part, raw, refined), old, problem, [*recompute_errors.remarks(part), *moved, *refined.notes])
         job.saved, job.shape, job.frame, job.settings = saved, part.Shape, versions.parent_frame(part), settings_of(mesh)
+        job.part_of = assembled.part_of_solids(part)
         if old is None:
             job.next_numbers = state_property.next_numbers(mesh, state_is_sound=problem is None and (
                 saved is None or hand_over.has_as_many(mesh.FemMesh, saved.arrays)))

@@ -91,6 +91,11 @@ def with_owners(value, labels_of):
     return _owned(value, owners)
 
 
+def with_parts(value, part_of):
+    """Likewise with the parts that the solids named there are of; `part_of` has their labels by the names of the solids."""
+    return _owned(value, {name: [label] for name, label in part_of.items()})
+
+
 def _entities_within(value):
     if is_message(value):
         return entities_in(value)
@@ -105,7 +110,7 @@ def _owned(value, owners):
         return value
     inner = {key: _owned(entry, owners) for key, entry in value.items()}
     own = {name: owners[name] for name in entities_in(value) if name in owners}
-    return {**inner, "owners": own} if own else inner
+    return {**inner, "owners": {**value.get("owners", {}), **own}} if own else inner
 
 
 class Words(string.Formatter):

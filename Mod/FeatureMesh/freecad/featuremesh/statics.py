@@ -10,7 +10,7 @@ import numpy as np
 from . import analyses, engine, solvers, statics_model, statics_supports
 from .errors import UserError
 from .formats import entity_name
-from .messages import said
+from .messages import said, with_parts
 from .reading import describe
 from .statics_model import NotUnderstood
 
@@ -127,7 +127,8 @@ def refuse_free_motions(statics):
     moved = statics_supports.moved(statics.arrays, motions, centre, scale)
     if len(motions) == 1:
         raise CanMove(said(_CAN_MOVE, how=how), moved)
-    raise CanMove(said(_PIECES_CAN_MOVE, how=how, solids=statics_supports.solids_as_free(statics.arrays, motions)), moved)
+    pieces = said(_PIECES_CAN_MOVE, how=how, solids=statics_supports.solids_as_free(statics.arrays, motions))
+    raise CanMove(with_parts(pieces, statics.part_of), moved)
 
 
 def responses(statics, fields):

@@ -8,7 +8,7 @@ import FreeCAD
 import numpy as np
 from femtools import constants, femutils
 
-from . import analyses, engine, resolving, solvers, versions
+from . import analyses, assembled, engine, resolving, solvers, versions
 from .errors import UserError
 from .hand_over import EntityGroups
 from .materials import material_groups, materials_among
@@ -38,6 +38,7 @@ class Statics:
         self.given = np.zeros((count, 3))
         self.supports = {}     # name of a support -> (n,3) which components it holds
         self.has_density = True
+        self.part_of = {}      # label of the part by the name of the solid, of several parts
         self.warnings = []
         self.load_makers = []  # for each load: its member in words, what makes its (n,3) of the arrays, and what else that needs; see add_up
         self.is_added_up = False
@@ -95,6 +96,7 @@ class _Reader:
             raise NotUnderstood(said("the live solver knows solids only; {mesh:text} is of shells or beams, which CalculiX solves",
                                      mesh=describe(mesh)))
         self.statics = Statics(self.arrays)
+        self.statics.part_of = assembled.part_of_solids(self.part)
         self.entities = EntityGroups(self.arrays)
         self.row_of = np.full(int(self.arrays["node_numbers"].max(initial=0)) + 1, -1)
         self.row_of[self.arrays["node_numbers"]] = np.arange(len(self.arrays["node_numbers"]))
