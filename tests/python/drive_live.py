@@ -362,7 +362,7 @@ def check_freecads_own(document, live_panel, live):
     assert green > 1000, green
     Gui.activeDocument().resetEdit()
     Gui.Control.closeDialog()
-    assert live.Result.Mesh.ViewObject.Visibility != live.ViewObject.Visibility   # FreeCAD 0.20 hides the mesh
+    assert live.ViewObject.Visibility and not live.Result.Mesh.ViewObject.Visibility
     live.Result.Mesh.ViewObject.Visibility, live.ViewObject.Visibility = True, False
     document.Force.Force = document.Force.Force * 1.5
     assert live.Status == live_result.OUT_OF_DATE

@@ -50,8 +50,7 @@ class _Observer:
                 obj.Document.commitTransaction()   # that of our command; FreeCAD 0.20 leaves it open
                 if recording.is_told(obj):
                     recording.recomputed(obj.Document)
-        if not (obj is not None and showing.is_result_seen(obj)):   # FreeCAD 1.0 and later leave its mesh in colours
-            showing.restore(self._before)
+        showing.restore(self._before)
         self._before = []
         if obj is not None and hasattr(obj, "References"):
             showing.show_unless_seen(obj)

@@ -44,17 +44,13 @@ def show_to_click(obj):
 
 
 def show_result_mesh(result):
-    """Hides what is drawn of results in the place of the mesh that FEM's panel of a result colours. Returns what `restore` needs."""
+    """Hides what is drawn of results in the place of the mesh that FEM's panel of a result colours. Returns what `restore` needs to show that again, and to hide
+    this mesh, which FreeCAD 1.0 and later leave there."""
     above = _analyses_above(result)
     seen = [obj for obj in result.Document.Objects if obj.ViewObject.Visibility and (is_live_result(obj) or obj.isDerivedFrom(_POST)) and above & _analyses_above(obj)]
     before = _as_seen(seen)
     _set_visible(seen, False)
-    return before
-
-
-def is_result_seen(obj):
-    """Is this a result of FEM whose mesh is seen?"""
-    return obj.isDerivedFrom("Fem::FemResultObject") and obj.Mesh is not None and obj.Mesh.ViewObject.Visibility
+    return before + [(result.Document.Name, result.Mesh.Name, False)] if seen and result.Mesh is not None else before
 
 
 def show_unless_seen(obj):
