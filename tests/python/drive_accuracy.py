@@ -110,6 +110,7 @@ def drive():
     assert mesh.TetCount > coarse and mesh.MeshRegionList == error_sizes.in_document(document)
     Gui.runCommand("FeatureMesh_LiveResult")
     spin()
+    assert abs(panel("LivePanel").accuracy.value() - before / 2) < 0.06   # as it was typed
     mesh.ViewObject.doubleClicked()   # whose panel takes the other's place
     spin(1)
     assert panel("MeshPanel").mesh is mesh

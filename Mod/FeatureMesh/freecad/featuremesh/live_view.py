@@ -36,6 +36,7 @@ class ViewLiveResult(DrawnByUs):
     def attach(self, view):
         super().attach(view)
         self.settings = live_overlay.Settings()
+        self.accuracy = 5.0     # percent that are wanted
         self._elements = None
         self._drawn = None
         self._drawn_from = ()   # what was drawn last

@@ -23,7 +23,6 @@ translate = FreeCAD.Qt.translate
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 _FIELDS = {"von_mises": QT_TRANSLATE_NOOP("FeatureMesh", "von Mises stress"), "displacement": QT_TRANSLATE_NOOP("FeatureMesh", "displacement")}
 _DECIMALS = 4
-_ACCURACY = 5.0       # percent that are offered
 _MARKS, _GAP = 4, 6   # of the legend, and pixels between them at least
 _DIGITS = 3, 2        # of its numbers, and where there is no room for these
 
@@ -116,14 +115,18 @@ class LivePanel(ClosesWithObject):
         form.addRow(translate("FeatureMesh", "Colours up to"), self.top)
         return form
 
+    def _take_accuracy(self, percent):
+        self.view.accuracy = percent   # for the next panel, too
+        self.refresh()
+
     def _accuracy_in_a_form(self):
         self.error, self.accuracy = narrow.Words(), QtGui.QDoubleSpinBox()
         self.accuracy.setRange(0.1, 99.0)
         self.accuracy.setDecimals(1)
         self.accuracy.setSuffix(" %")
-        self.accuracy.setValue(_ACCURACY)
+        self.accuracy.setValue(self.view.accuracy)
         self.accuracy.setToolTip(translate("FeatureMesh", "Of the energy norm: how far stresses may be off in the mean, because the elements are not smaller"))
-        self.accuracy.valueChanged.connect(lambda _: self.refresh())
+        self.accuracy.valueChanged.connect(self._take_accuracy)
         self.finer = QtGui.QPushButton(translate("FeatureMesh", "Refine where it is off"))
         self.finer.clicked.connect(self._refine)
         form = QtGui.QFormLayout()
